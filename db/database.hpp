@@ -1,0 +1,103 @@
+// One open database: opened, checked, migrated; the repositories work on it. Not for two threads at once.
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "db/types.hpp"
+
+namespace SQLite {
+class Database;
+}
+
+namespace cnclab::db {
+
+/// Why a database cannot be used; `text` says what happened, where, and what to do.
+struct OpenError {
+  enum class Kind { not_writable, damaged, newer, locked, other } kind{};
+  std::string text;
+};
+
+/// Thrown by repositories when the store fails (disk full, locked, damaged); caught once by `Store`.
+class StoreFailure;
+
+/// SQLite file in WAL mode, synchronous FULL, foreign keys on. ":memory:" for tests.
+class Database {
+ public:
+  /// Opens or creates, checks integrity, migrates (after a copy beside the file, STO-008). A newer or damaged file is
+  /// refused and left untouched.
+  [[nodiscard]] static std::expected<Database, OpenError> open(const std::filesystem::path& file);
+  Database(Database&&) noexcept;
+  Database& operator=(Database&&) noexcept;
+  ~Database();
+
+  // People
+  [[nodiscard]] std::vector<Person> people(bool with_archived);
+  [[nodiscard]] std::optional<Person> person(const std::string& name);
+  /// Returns the new id; nothing when the name exists (also archived).
+  std::optional<PersonId> add_person(const Person& person, std::int64_t now_ms);
+  void set_password(PersonId id, const std::string& hash, bool must_change);
+  void set_last_seen(PersonId id, std::int64_t now_ms);
+  void archive(PersonId id, std::int64_t now_ms);
+  void unarchive(PersonId id);
+  void erase(PersonId id);  ///< for good, with everything the person has
+  bool rename(PersonId id, const std::string& name);
+
+  // Programs. Each change is one version with its inverse (0001_first.sql, program_change).
+  [[nodiscard]] std::vector<StoredProgram> programs(PersonId id);  ///< in storage order
+  /// Stores one block: replaces the one of its number, or adds it; makes the program where there is none.
+  void put_block(PersonId id, int program, const StoredBlock& block, const Author& author);
+  /// Puts a block before the one that has its number; that and all that follow get numbers one higher (EDIT-020).
+  /// `renumber` makes the stored form of a block under its new number.
+  void insert_block(PersonId id, int program, const StoredBlock& block, const Author& author,
+                    const std::function<StoredBlock(const StoredBlock&, int new_number)>& renumber);
+  void delete_block(PersonId id, int program, int block, const Author& author);
+  /// Replaces a whole program (tape, DNC, restore, instructor).
+  void replace_program(PersonId id, int program, const std::vector<StoredBlock>& blocks, const Author& author);
+  void remove_program(PersonId id, int program, const Author& author);
+  [[nodiscard]] std::vector<ProgramVersion> versions(PersonId id, int program);  ///< oldest first
+  /// The blocks' texts of a version; nothing where there is no such version. 0 = newest.
+  [[nodiscard]] std::optional<std::vector<std::string>> program_at(PersonId id, int program, int version);
+
+  // Machine data (person 0: the lab machine)
+  [[nodiscard]] std::vector<StoredDatum> machine_data(PersonId id);
+  void put_machine_datum(PersonId id, const StoredDatum& datum, const Author& author);
+
+  // A control between two logins
+  [[nodiscard]] std::string control_state(PersonId id);  ///< "" where none was kept
+  void put_control_state(PersonId id, const std::string& state, std::int64_t now_ms);
+
+  // Journal
+  void add_journal(const std::vector<JournalEntry>& entries);
+  [[nodiscard]] std::vector<JournalEntry> journal(const std::string& person, std::int64_t since_ms);
+  void forget_journal_before(std::int64_t time_ms);
+
+  // Runs
+  std::int64_t begin_run(const RunRecord& run);
+  void end_run(std::int64_t id, double seconds, const std::string& ended);
+  void add_trace(std::int64_t run, std::int64_t first_tick, const std::string& data);
+  [[nodiscard]] std::vector<RunRecord> runs(PersonId id);  ///< newest first
+  [[nodiscard]] std::string trace(std::int64_t run);       ///< all records joined
+  void forget_old_traces(int keep);
+
+  // Single values of the lab
+  [[nodiscard]] std::optional<std::string> value(const std::string& key);
+  void put_value(const std::string& key, const std::string& value);
+
+  /// Runs `work` in one transaction; rolled back when it throws.
+  void transaction(const std::function<void()>& work);
+  /// A consistent copy while others write (STO-008).
+  void backup_to(const std::filesystem::path& file);
+
+ private:
+  struct Statements;
+  explicit Database(std::unique_ptr<Statements> statements);
+  std::unique_ptr<Statements> statements_;
+};
+
+}  // namespace cnclab::db

@@ -1,0 +1,71 @@
+// The structure of every block: which words a function has, in which order, with which text (section BLK).
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "language/block.hpp"
+
+namespace cnclab::language {
+
+/// How a word is written, checked and costed.
+struct WordFormat {
+  Address address{};
+  enum class Kind : std::uint8_t { millimetres, digits } kind{};
+  int digits = 0;                   ///< digits shown (mm words: 4 before the point, 3 behind it)
+  std::int64_t least = 0, most = 0; ///< in the word's unit
+  bool takes_parameter = true;      ///< may be #nn (PAR-003: all but M and T)
+  int cost_bytes = 0;               ///< memory of a filled word (D-22)
+};
+
+/// The format of an address. Every address has exactly one.
+[[nodiscard]] const WordFormat& format_of(Address address);
+
+/// Where the explanatory text in parentheses stands.
+enum class TextPlace : std::uint8_t { none, before_words, after_words };
+
+/// Which words a block must have before it can be stored (D-45).
+enum class Needed : std::uint8_t {
+  nothing,      ///< G17, G40, …
+  all,          ///< every word of the form
+  any_axis,     ///< at least one of X, Y, Z
+  any_word,     ///< at least one word
+  two_axes_and_radius,  ///< G05, G06
+  cycle,        ///< as the cycle's row in CYC says; see `required_words`
+};
+
+struct BlockForm {
+  Function function;
+  std::span<const Address> words;     ///< normative order
+  std::string_view german, english;   ///< text in parentheses, without them; ↓5x: "JUMP ZER TO"
+  TextPlace text_place = TextPlace::none;
+  Needed needed = Needed::nothing;
+  std::span<const Address> required_words;  ///< for Needed::cycle
+  bool is_planned = false;            ///< marked * in the manual (BLK-200)
+  bool on_3250 = false;               ///< MODEL-001
+};
+
+/// What the control at hand knows (DEC-08).
+struct Vocabulary {
+  Model model = Model::cnc3300;
+  bool planned_functions = true;
+};
+
+/// The form of a function; nullptr where the control does not have it (`Funktion nicht vorgesehen`).
+/// plane: only G02, G03, G05, G06 and G62..G66 depend on it (D-54).
+[[nodiscard]] const BlockForm* find_form(Function function, Plane plane, const Vocabulary& vocabulary);
+
+/// Every form there is, one per function and plane; for tests, help and documentation.
+[[nodiscard]] std::span<const BlockForm> all_forms();
+
+/// Does an arc-like function's form depend on the plane?
+[[nodiscard]] bool is_plane_dependent(Function function);
+
+/// The plane whose form fits the words that a block has (a tape does not say it); `fallback` where several fit.
+[[nodiscard]] Plane plane_of_words(const Block& block, Plane fallback);
+
+/// Is M`code` a function of this control (section M)?
+[[nodiscard]] bool is_known_m(std::int64_t code);
+
+}  // namespace cnclab::language

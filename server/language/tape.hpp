@@ -1,0 +1,59 @@
+// The tape format (section EXT, EX-050): how programs leave and enter the control, and how blocks are stored on disk.
+//
+//   tape     = program { separator program } [ "%" ]
+//   program  = "P" 4digit block { block }
+//   block    = "N" 3digit ( "G" 2digit | "\" 2digit ) { word }        in P0000: "T" 3digit { word }
+//   word     = letter [ "+" | "-" ] digits [ "." digits ]             mm words: integer 1/1000 mm, or mm with a point
+//            | letter "#" 2digit                                      a parameter in place of the number
+//   operands = "#" 2digit …                                           N002\01#01#02#03, N005\00#00+0, N033\51N040
+//
+// Characters below 21H and above 5FH are ignored by the control (EXT-049). Files may break lines anywhere and carry
+// comments in ( ); see DEC-30 to DEC-32. Example: P0001N001G00X+12Y-1500000Z+4150N999G01Z+500M05%
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "language/block.hpp"
+#include "language/error.hpp"
+
+namespace cnclab::language {
+
+/// One block without its program number, e.g. "N003G01X+25000Y+10000Z+4000F1000M03". This is also the stored form.
+[[nodiscard]] std::string write_block(const Block& block);
+
+/// Reads what `write_block` writes. `program` says whether a tool row is expected (P0000).
+[[nodiscard]] std::expected<Block, Error> read_block(std::string_view text, std::uint16_t program);
+
+/// "P0001" and its blocks, one per line, without "%".
+[[nodiscard]] std::string write_program(const Program& program);
+
+/// How forgiving a reader is.
+enum class Reading : std::uint8_t {
+  file,    ///< comments allowed, small letters refused with a hint (DEC-30)
+  strict,  ///< as the control: small letters ignored
+};
+
+/// A block with the line of the file it began on.
+struct ReadProgram {
+  Program program;
+  std::vector<int> lines;  ///< of each block
+};
+
+/// What a tape held: all programs that could be read, and every error (not only the first).
+struct Tape {
+  std::vector<ReadProgram> programs;
+  std::vector<Error> errors;
+  std::vector<std::string> notices;  ///< e.g. P9981 left out (DEC-06)
+};
+
+/// Reads a tape or a file of the cnc3300 dialect. A program of the same number again replaces the earlier one.
+[[nodiscard]] Tape read_tape(std::string_view text, Reading reading);
+
+/// The check code appended to every stored block (SYS-018): CRC-32 (IEEE 802.3) of its stored form and program number.
+[[nodiscard]] std::uint32_t check_code(std::uint16_t program, std::string_view stored_block);
+
+}  // namespace cnclab::language

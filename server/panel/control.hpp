@@ -1,0 +1,143 @@
+// One emulated control: keys in, screens out, motion through a channel, stores as requests.
+//
+//   lab ── press / poll / connect ──▶ Control ── StoreRequest ──▶ lab ──▶ db ──▶ store_done ──▶ Control
+//                                        └──── commands, path ──▶ machine::Channel
+//
+// A Control does no I/O and knows no clock: time comes in, effects go out. It belongs to one student and lives as long
+// as the login; what outlives it is `save_state`.
+#pragma once
+
+#include <cstdint>
+#include <expected>
+#include <memory>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "language/block.hpp"
+#include "language/block_form.hpp"
+#include "machine/channel.hpp"
+#include "machine/machine_data.hpp"
+#include "panel/memory.hpp"
+#include "shared/key.hpp"
+#include "shared/screen.hpp"
+
+namespace cnclab::panel {
+
+/// The operating modes (0 Conventions of the requirement list).
+enum class Mode : std::uint8_t {
+  menu, hand, hand_input, teach_in, automat, external_data, graphics, erase_memory, editor, machine_data, memory_test,
+};
+
+/// The mode's name as screens and `status` give it: "MENU", "HANDBETRIEB", "AUTOMAT", "EINGABEMODUS", …
+[[nodiscard]] std::string_view name_of(Mode mode);
+
+/// Configuration of one control (interfaces.md [control], decisions.md DEC-08).
+struct Settings {
+  language::Vocabulary vocabulary;
+  language::Tongue tongue = language::Tongue::german;
+  bool hints = true;               ///< row 18 says why a key was ignored
+  bool start_in_middle_rebuilds = true;  ///< DEC-26
+  int memory_bytes = 16384;
+};
+
+/// Local date and time for the header line (DEC-10).
+struct WallClock {
+  int hour = 0, minute = 0, second = 0, day = 0, month = 0, year = 0;  ///< year of the century
+};
+
+/// Both clocks as they are handed in with every call.
+struct Now {
+  std::int64_t monotonic_ns = 0;
+  WallClock wall;
+};
+
+/// Which machine the control moves.
+struct Connection {
+  std::shared_ptr<machine::Channel> channel;
+  machine::Epoch epoch{};
+  bool is_lab_machine = false;
+  machine::MachineData lab_data;  ///< the lab machine's own, only where is_lab_machine
+};
+
+// What the control wants stored. The lab stores it, then calls `store_done`; until then it hands in no key but STOP.
+struct PutBlock { std::uint16_t program = 0; language::Block block; };
+struct InsertBlock { std::uint16_t program = 0; language::Block block; };
+struct DeleteBlock { std::uint16_t program = 0; std::uint16_t block = 0; };
+struct RemovePrograms { std::vector<std::uint16_t> programs; };
+struct PutMachineData { machine::MachineData data; };
+using StoreRequest = std::variant<PutBlock, InsertBlock, DeleteBlock, RemovePrograms, PutMachineData>;
+
+/// What a key press led to besides a changed screen.
+struct Outcome {
+  std::optional<StoreRequest> store;
+  bool mode_changed = false;  ///< the lab keeps the control's state (SEAT-004)
+};
+
+/// What stands on a screen and decides whether a START pressed before it is still meant (AUTH-008).
+struct Situation {
+  Mode mode = Mode::menu;
+  std::uint16_t program = 0, block = 0;
+  bool started = false, alarm = false;
+  friend bool operator==(const Situation&, const Situation&) = default;
+};
+
+/// What the lab adds to the screen: the right-hand column and, when it has something to say, row 18.
+struct SideView {
+  int station = 0;
+  std::string user;
+  bool on_lab_machine = false;
+  int controlling_station = 0;  ///< 0 nobody
+  int override_percent = 0;
+  int meldung = 0;              ///< place in the order of raised hands, 0 none
+  std::string halted_by;        ///< who pressed MASCHINE HALT, empty if nobody
+  std::string notice;           ///< e.g. the offer of control; takes row 18 before the control's own sentence
+};
+
+class Control {
+ public:
+  Control(Settings settings, Memory memory, machine::MachineData data);
+  ~Control();
+  Control(const Control&) = delete;
+  Control& operator=(const Control&) = delete;
+
+  /// Connects to a machine; the run on the former one is abandoned (AUTH-003): it must stand still.
+  void connect(Connection connection);
+
+  /// A key went down. While a store is pending only STOP is accepted; the caller queues the others.
+  Outcome press(Key key, const Now& now);
+  /// Keys pressed together (→+RESET, ↓+RESET, 3+6+9).
+  Outcome press_chord(const std::vector<Key>& keys, const Now& now);
+  void release(Key key, const Now& now);
+  void set_override(int percent);
+
+  [[nodiscard]] bool is_storing() const;
+  /// The answer to the pending request; `error` is the sentence for row 18, empty when it is on disk.
+  void store_done(const std::string& error);
+
+  /// To be called every 10 to 20 ms: feeds the run (at most 2 ms of work), follows the machine.
+  void poll(const Now& now);
+
+  [[nodiscard]] Screen draw(const Now& now, const SideView& side) const;
+  [[nodiscard]] Situation situation() const;
+  [[nodiscard]] Mode mode() const;
+  [[nodiscard]] bool is_running() const;  ///< START state
+  /// Short tones since the last call; and whether the repeated tone of M01 sounds.
+  [[nodiscard]] int take_beeps();
+  [[nodiscard]] bool alarm_tone() const;
+
+  [[nodiscard]] const Memory& memory() const;
+  [[nodiscard]] int override_percent() const;
+  /// Modal state, parameters, Istwert, mode, half-filled line as JSON (SEAT-002, SEAT-004), and back: always in STOP.
+  [[nodiscard]] std::string save_state() const;
+  void restore_state(const std::string& json);
+  /// Programs changed from outside (instructor, restore): the memory's copy is replaced.
+  void replace_memory(Memory memory);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace cnclab::panel

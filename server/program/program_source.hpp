@@ -1,0 +1,32 @@
+// Where the interpreter finds programs: a control's memory, a file, a snapshot of a run (DEC-28).
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+
+#include "language/block.hpp"
+
+namespace cnclab::program {
+
+/// Radius and length of a tool from P0000; nothing where it is not listed (COMP-003).
+struct ToolData {
+  language::Micrometres radius, length;
+};
+
+/// An unchanging set of programs, shared by value: START takes one and later changes do not reach it (DEC-28).
+class ProgramSet {
+ public:
+  ProgramSet() = default;
+  /// Later programs of the same number replace earlier ones.
+  void put(language::Program program);
+  /// The program, or nullptr. The pointer lives as long as this set.
+  [[nodiscard]] const language::Program* find(std::uint16_t number) const;
+  /// The tool's row in P0000, if any.
+  [[nodiscard]] std::optional<ToolData> tool(int number) const;
+
+ private:
+  std::map<std::uint16_t, std::shared_ptr<const language::Program>> programs_;
+};
+
+}  // namespace cnclab::program
