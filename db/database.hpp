@@ -6,14 +6,11 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "db/types.hpp"
-
-namespace SQLite {
-class Database;
-}
 
 namespace cnclab::db {
 
@@ -23,15 +20,16 @@ struct OpenError {
   std::string text;
 };
 
-/// Thrown by repositories when the store fails (disk full, locked, damaged); caught once by `Store`.
-class StoreFailure;
-
-/// SQLite file in WAL mode, synchronous FULL, foreign keys on. ":memory:" for tests.
+/// SQLite file in WAL mode, synchronous FULL, foreign keys on. ":memory:" for tests. The repositories' functions throw
+/// `StoreFailure` (failure.hpp) when the store fails (disk full, locked, damaged); `Store` catches it once.
 class Database {
  public:
   /// Opens or creates, checks integrity, migrates (after a copy beside the file, STO-008). A newer or damaged file is
   /// refused and left untouched.
+  /// The folder must exist. FILE-lock beside it is held while it is open: a second server is refused (`locked`).
   [[nodiscard]] static std::expected<Database, OpenError> open(const std::filesystem::path& file);
+  /// Opens for reading only, also while a server writes; checked as by `open`, changed by nothing.
+  [[nodiscard]] static std::expected<Database, OpenError> open_to_read(const std::filesystem::path& file);
   Database(Database&&) noexcept;
   Database& operator=(Database&&) noexcept;
   ~Database();
@@ -45,7 +43,8 @@ class Database {
   void set_last_seen(PersonId id, std::int64_t now_ms);
   void archive(PersonId id, std::int64_t now_ms);
   void unarchive(PersonId id);
-  void erase(PersonId id);  ///< for good, with everything the person has
+  void erase(PersonId id);  ///< for good, with everything the person has, journal entries of that name included
+  /// False when another person has the name (also archived). The journal keeps the old name: it is append-only.
   bool rename(PersonId id, const std::string& name);
 
   // Programs. Each change is one version with its inverse (0001_first.sql, program_change).
@@ -56,12 +55,14 @@ class Database {
   /// `renumber` makes the stored form of a block under its new number.
   void insert_block(PersonId id, int program, const StoredBlock& block, const Author& author,
                     const std::function<StoredBlock(const StoredBlock&, int new_number)>& renumber);
+  /// A block or program that is not there is no change. A program without blocks stays until it is removed.
   void delete_block(PersonId id, int program, int block, const Author& author);
   /// Replaces a whole program (tape, DNC, restore, instructor).
   void replace_program(PersonId id, int program, const std::vector<StoredBlock>& blocks, const Author& author);
   void remove_program(PersonId id, int program, const Author& author);
   [[nodiscard]] std::vector<ProgramVersion> versions(PersonId id, int program);  ///< oldest first
-  /// The blocks' texts of a version; nothing where there is no such version. 0 = newest.
+  /// The blocks' texts of a version, ascending; nothing where there is no such version. 0 = newest. A version that
+  /// removed the program has no blocks. The count of versions goes on when a removed program is stored again.
   [[nodiscard]] std::optional<std::vector<std::string>> program_at(PersonId id, int program, int version);
 
   // Machine data (person 0: the lab machine)
@@ -74,6 +75,7 @@ class Database {
 
   // Journal
   void add_journal(const std::vector<JournalEntry>& entries);
+  /// Oldest first. person "" = everybody's.
   [[nodiscard]] std::vector<JournalEntry> journal(const std::string& person, std::int64_t since_ms);
   void forget_journal_before(std::int64_t time_ms);
 
@@ -83,15 +85,17 @@ class Database {
   void add_trace(std::int64_t run, std::int64_t first_tick, const std::string& data);
   [[nodiscard]] std::vector<RunRecord> runs(PersonId id);  ///< newest first
   [[nodiscard]] std::string trace(std::int64_t run);       ///< all records joined
-  void forget_old_traces(int keep);
+  void forget_old_traces(int keep);                        ///< keeps the traces of the newest `keep` runs that have one
 
   // Single values of the lab
   [[nodiscard]] std::optional<std::string> value(const std::string& key);
   void put_value(const std::string& key, const std::string& value);
 
-  /// Runs `work` in one transaction; rolled back when it throws.
+  /// Runs `work` in one transaction; rolled back when it throws. Inside another one it is a savepoint of its own.
   void transaction(const std::function<void()>& work);
-  /// A consistent copy while others write (STO-008).
+  [[nodiscard]] bool in_transaction() const;
+  /// A consistent copy of what is committed, while others write (STO-008). `copy_database` (backup.hpp) does it from
+  /// another thread, so that the writer does not wait.
   void backup_to(const std::filesystem::path& file);
 
  private:

@@ -9,12 +9,15 @@
 #include <utility>
 
 #include "db/database.hpp"
+#include "db/failure.hpp"
 
 namespace cnclab::db {
 
 /// Why a job was not stored; nothing of it is in the database.
 struct StoreError {
-  std::string text;  ///< what happened and what to do, for the screen that wanted to store
+  std::string text;  ///< German: what happened and what to do, for the screen that wanted to store
+  FailureKind kind = FailureKind::refused;  ///< `explain(kind, "en")` says it in English
+  std::string detail = {};                  ///< for the log: the failing step and SQLite's own words
 };
 
 /// Runs a function on the thread that wants the answers (the lab's).
@@ -29,7 +32,8 @@ class Store {
   Store(const Store&) = delete;
   Store& operator=(const Store&) = delete;
 
-  /// Queues `job`; `done` is posted after the commit that holds it is on disk, or with the error and nothing stored.
+  /// Queues `job` (from any thread); `done` is posted after the commit that holds it is on disk, or with the error and
+  /// nothing stored.
   template <class Job, class Done>
   void run(Job job, Done done) {
     using Result = std::invoke_result_t<Job, Database&>;

@@ -6,7 +6,7 @@ CREATE TABLE lab (               -- single values of the whole lab
 ) STRICT;
 
 CREATE TABLE person (            -- students, instructors, observers
-  id            INTEGER PRIMARY KEY,
+  id            INTEGER PRIMARY KEY AUTOINCREMENT,  -- never given again, so that nothing late reaches a successor
   name          TEXT    NOT NULL UNIQUE,
   role          TEXT    NOT NULL CHECK (role IN ('student', 'instructor', 'observer')),
   language      TEXT    NOT NULL DEFAULT '' CHECK (language IN ('', 'de', 'en')),   -- '' = the lab's
@@ -44,7 +44,8 @@ CREATE TABLE program_change (    -- every change, invertible: undoing from the n
   version    INTEGER NOT NULL,   -- the version that this change made; deleting a program makes one too
   kind       TEXT    NOT NULL CHECK (kind IN ('put', 'insert', 'delete', 'replace', 'remove')),
   block      INTEGER NOT NULL DEFAULT 0,   -- put, insert, delete: the block's number
-  before     TEXT    NOT NULL DEFAULT '',  -- put, delete: the block as it was; replace, remove: the whole program
+  before     TEXT    NOT NULL DEFAULT '',  -- put, delete: the block as it was; insert: the blocks that moved, as they
+                                           -- were; replace, remove: the whole program (several blocks: README.md)
   after      TEXT    NOT NULL DEFAULT '',  -- put, insert: the block as it is; replace: the whole program
   time_ms    INTEGER NOT NULL,
   by_whom    TEXT    NOT NULL,
