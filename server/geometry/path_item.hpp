@@ -78,6 +78,7 @@ struct PathItem {
   SourceBlock source;
   std::uint64_t sequence = 0;  ///< running number of the executed block since START, from 1
   bool ends_block = false;     ///< last item of its block: EINZELSATZ stops behind it
+  bool passes_single_block = false;  ///< EINZELSATZ does not stop behind this block: subprogram under M22 (KEY-046)
   bool is_fourth_axis = false; ///< G12: a line of U alone
   bool exact_stop = false;     ///< G61..G66: ramp to F START/STOP, then creep (DEC-20)
   bool override_off = false;   ///< M23: the potentiometer does not act (taken as 100 %)

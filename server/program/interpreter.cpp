@@ -1,0 +1,218 @@
+// The order of execution: one block per step, levels of calls, the end of the program.
+#include "program/interpreter.hpp"
+
+#include <cmath>
+
+#include "program/functions.hpp"
+#include "program/reachable.hpp"
+#include "program/words.hpp"
+
+namespace cnclab::program {
+
+namespace {
+
+constexpr double kNanometresPerMm = 1e6;
+
+std::int64_t to_um(std::int64_t nm) { return (nm >= 0 ? nm + 500 : nm - 500) / 1000; }
+
+/// The first block in reach that this version cannot execute (D-02: nothing moves before it is known).
+Outcome check_executable(const ProgramSet& programs, const Settings& settings, const Start& start) {
+  Outcome outcome;
+  walk_reachable(programs, start.program, start.block, [&](geometry::SourceBlock source, const language::Block& block) {
+    outcome = executable(block, source, settings.vocabulary);
+    return outcome.has_value();
+  });
+  return outcome;
+}
+
+}  // namespace
+
+std::unexpected<language::Error> error_at(language::ErrorCode code, geometry::SourceBlock source, char word,
+                                          std::string detail, std::string expected) {
+  return std::unexpected(language::Error{.code = code,
+                                         .program = source.program,
+                                         .block = source.block,
+                                         .word = word,
+                                         .detail = std::move(detail),
+                                         .expected = std::move(expected)});
+}
+
+std::unexpected<language::Error> feed_above_limit(geometry::SourceBlock source, std::int64_t feed,
+                                                  const Settings& settings) {
+  std::string limit = std::to_string(std::llround(settings.f_max_mm_per_min));
+  if (limit.size() < 4) limit.insert(0, 4 - limit.size(), '0');
+  return error_at(language::ErrorCode::feed_above_limit, source, 'F', std::to_string(feed), "0001.." + limit);
+}
+
+std::expected<Interpreter, language::Error> Interpreter::begin(ProgramSet programs, Settings settings,
+                                                               const Start& start, InputReader inputs) {
+  const geometry::SourceBlock place{.program = start.program, .block = start.block};
+  const language::Program* program = start.program == language::kToolTable ? nullptr : programs.find(start.program);
+  if (language::is_reserved_for_cycles(start.program))
+    return error_at(language::ErrorCode::reserved_for_cycles, place, 'P');
+  if (program == nullptr)
+    return error_at(language::ErrorCode::program_missing, {.program = start.program, .block = 0}, 'P');
+  if (!program->find(start.block)) return error_at(language::ErrorCode::block_missing, place, 'N');
+  if (Outcome outcome = check_executable(programs, settings, start); !outcome) return std::unexpected(outcome.error());
+  return Interpreter(std::move(programs), std::move(settings), start, std::move(inputs));
+}
+
+Interpreter::Interpreter(ProgramSet programs, Settings settings, const Start& start, InputReader inputs)
+    : programs_(std::move(programs)),
+      settings_(std::move(settings)),
+      inputs_(std::move(inputs)),
+      parameters_(start.parameters) {
+  const geometry::Point& position = start.position;
+  state_.modal = start.modal;
+  state_.programmed_nm = {std::llround(position.x * kNanometresPerMm), std::llround(position.y * kNanometresPerMm),
+                          std::llround(position.z * kNanometresPerMm)};
+  state_.fourth_axis_nm = std::llround(position.u * kNanometresPerMm);
+  state_.path = position;
+  for (std::size_t axis = 0; axis < programmed_um_.size(); ++axis)
+    programmed_um_[axis] = to_um(state_.programmed_nm[axis]);
+  const language::Program* program = programs_.find(start.program);
+  const std::size_t index = program->find(start.block).value_or(0);
+  levels_.push_back({.program = program, .next = index, .called = program, .entry = index, .repeats_left = 0});
+}
+
+std::expected<ExecutedBlock, language::Error> Interpreter::step(std::vector<geometry::PathItem>& out) {
+  if (last_) return *last_;
+  const ExecutionState before = state_;
+  const std::size_t items_before = out.size();
+  auto result = execute_block(out);
+  if (!result) {
+    state_ = before;
+    out.resize(items_before);
+  }
+  if (!result || result->ended) last_ = result;
+  return result;
+}
+
+std::expected<ExecutedBlock, language::Error> Interpreter::execute_block(std::vector<geometry::PathItem>& out) {
+  const Frame& level = levels_.back();
+  const language::Block& stored = level.program->blocks[level.next];
+  const geometry::SourceBlock source{.program = level.program->number, .block = stored.number};
+  if (stored.is_damaged) return error_at(language::ErrorCode::checksum_wrong, source, 0);
+  if (Outcome outcome = executable(stored, source, settings_.vocabulary); !outcome)
+    return std::unexpected(outcome.error());
+
+  std::optional<language::Block> with_values;
+  if (has_parameters(stored)) with_values = read_parameters(stored, parameters_, state_, programs_);
+  const language::Block& block = with_values ? *with_values : stored;
+  if (Outcome outcome = check_words(block, source, state_.modal.plane, settings_); !outcome)
+    return std::unexpected(outcome.error());
+
+  const int depth = static_cast<int>(levels_.size()) - 1;
+  const bool is_hidden_subprogram = depth > 0 && state_.modal.subprogram_blocks_hidden;
+  const bool is_shown = !state_.modal.blocks_hidden && !is_hidden_subprogram;
+  const std::size_t items_before = out.size();
+  BlockRun run{.block = block,
+               .source = source,
+               .settings = settings_,
+               .programs = programs_,
+               .levels = levels_,
+               .pattern = {.source = source,
+                           .sequence = sequence_ + 1,
+                           .passes_single_block = is_hidden_subprogram,
+                           .override_off = state_.modal.potentiometer_off},
+               .state = state_,
+               .out = out,
+               .flow = {}};
+  if (Outcome outcome = execute_feed_speed_tool(run); !outcome) return std::unexpected(outcome.error());
+  execute_m(run, Moment::block_start);
+  if (Outcome outcome = handler_of(block.function)(run); !outcome) return std::unexpected(outcome.error());
+  execute_m(run, Moment::block_end);
+  const std::uint16_t main_program = levels_.front().program->number;
+  ended_ = go_on(run.flow);
+  if (ended_) append_end(run);
+  if (out.size() == items_before) run.emit(geometry::Mark{});
+  out.back().ends_block = true;
+
+  ++sequence_;
+  for (std::size_t axis = 0; axis < programmed_um_.size(); ++axis)
+    programmed_um_[axis] = to_um(state_.programmed_nm[axis]);
+  return ExecutedBlock{.sequence = sequence_,
+                       .source = source,
+                       .depth = depth,
+                       .main_program = main_program,
+                       .is_shown = is_shown,
+                       .modal = state_.modal,
+                       .programmed_um = programmed_um_,
+                       .ended = ended_};
+}
+
+bool Interpreter::go_on(const Flow& flow) {
+  Frame& level = levels_.back();
+  switch (flow.kind) {
+    case Flow::Kind::next:
+      ++level.next;
+      break;
+    case Flow::Kind::jump:
+      level.program = flow.program;
+      level.next = flow.index;
+      break;
+    case Flow::Kind::call:
+      ++level.next;
+      levels_.push_back({.program = flow.program,
+                         .next = flow.index,
+                         .called = flow.program,
+                         .entry = flow.index,
+                         .repeats_left = flow.repeats});
+      break;
+    case Flow::Kind::end:
+      return true;
+  }
+  return leave_finished_levels();
+}
+
+bool Interpreter::leave_finished_levels() {
+  while (levels_.back().next >= levels_.back().program->blocks.size()) {
+    if (levels_.size() == 1) return true;
+    Frame& level = levels_.back();
+    if (level.repeats_left == 0) {
+      levels_.pop_back();
+      continue;
+    }
+    --level.repeats_left;
+    level.program = level.called;
+    level.next = level.entry;
+  }
+  return false;
+}
+
+/// DEC-38: on the lab machine the end of a program leaves nothing running.
+void Interpreter::append_end(BlockRun& run) {
+  ModalState& modal = state_.modal;
+  if (settings_.outputs_at_end_off && modal.spindle != geometry::SpindleTurn::off) {
+    modal.spindle = geometry::SpindleTurn::off;
+    run.emit(geometry::Spindle{});
+    modal.m = 12;
+  }
+  if (settings_.outputs_at_end_off && modal.coolant) {
+    modal.coolant = false;
+    run.emit(geometry::Coolant{});
+    modal.m = 12;
+  }
+  run.emit(geometry::End{});
+}
+
+std::vector<std::pair<geometry::SourceBlock, const language::Block*>> Interpreter::upcoming(std::size_t count) const {
+  std::vector<std::pair<geometry::SourceBlock, const language::Block*>> blocks;
+  if (ended_) return blocks;
+  const language::Program* program = levels_.back().program;
+  std::size_t next = levels_.back().next;
+  while (blocks.size() < count && next < program->blocks.size()) {
+    const language::Block& block = program->blocks[next];
+    blocks.emplace_back(geometry::SourceBlock{.program = program->number, .block = block.number}, &block);
+    const auto target = unconditional_target(programs_, *program, block);
+    if (!target) {
+      ++next;
+      continue;
+    }
+    program = target->program;
+    next = target->index;
+  }
+  return blocks;
+}
+
+}  // namespace cnclab::program

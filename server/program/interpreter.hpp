@@ -10,6 +10,8 @@
 #include <cstdint>
 #include <expected>
 #include <functional>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "geometry/path_item.hpp"
@@ -21,6 +23,10 @@
 namespace cnclab::program {
 
 inline constexpr int kDeepestCall = 16;  ///< D-58
+
+/// X, Y, Z in nanometres. Ways are µm × factor in 1/1000 (G75), so every position is a whole number of nm and no sum
+/// ever rounds (DEC-05).
+using Nanometres = std::array<std::int64_t, 3>;
 
 /// What execution must know of the machine and the configuration; values at START (DEC-28).
 struct Settings {
@@ -35,27 +41,52 @@ struct Settings {
 /// Where and how a run begins.
 struct Start {
   std::uint16_t program = 1;
-  std::uint16_t block = 1;       ///< must exist
-  geometry::Point position;      ///< Istwert at START, mm
+  std::uint16_t block = 1;   ///< must exist
+  geometry::Point position;  ///< Istwert at START, mm
   ModalState modal;
   Parameters parameters{};
 };
 
 /// What one executed block was and left behind.
 struct ExecutedBlock {
-  std::uint64_t sequence = 0;      ///< running number since START, from 1
+  std::uint64_t sequence = 0;  ///< running number since START, from 1
   geometry::SourceBlock source;
   int depth = 0;                   ///< 0 in the main program
+  std::uint16_t main_program = 0;  ///< the program at depth 0 that runs now, or that called the one that runs
+  bool is_shown = true;            ///< false under M21, and in subprograms under M22 (MOD-059, MOD-060)
   ModalState modal;                ///< after the block
-  bool ended = false;              ///< the program's end was reached with this block
+  std::array<std::int64_t, 3> programmed_um{};  ///< Sollwert X Y Z after the block
+  bool ended = false;                           ///< the program's end was reached with this block
 };
 
 /// The state of inputs as the program may ask for them: card 0 line 0 is Input 1 (G21, G23, M16).
 using InputReader = std::function<bool(int card, int line)>;
 
+/// What a block works on; copied before each block, so that a block that fails leaves nothing behind.
+struct ExecutionState {
+  ModalState modal;
+  Nanometres programmed_nm{};       ///< Sollwert as the operator reads it
+  Nanometres offset_nm{};           ///< path coordinate minus Sollwert: what G68 has renamed since START
+  std::int64_t fourth_axis_nm = 0;  ///< U, path coordinate (G12; no Istwert of its own, D-62)
+  geometry::Point path;  ///< end of the path so far; an axis that does not move keeps its value to the last bit
+};
+
+/// One level of calls: level 0 is the main program.
+struct Frame {
+  const language::Program* program = nullptr;  ///< what runs at this level now (G20 may change it)
+  std::size_t next = 0;                        ///< index of its next block
+  const language::Program* called = nullptr;   ///< what was called here, and where it is repeated from
+  std::size_t entry = 0;
+  int repeats_left = 0;  ///< W: how often it still runs again (D-57)
+};
+
+struct BlockRun;  // block_run.hpp: for the functions of this folder only
+struct Flow;
+
 class Interpreter {
  public:
-  /// errors  program_missing, block_missing
+  /// errors  program_missing, block_missing, reserved_for_cycles; not_in_this_version names the first block that can be
+  ///         reached and that this version cannot execute, so that nothing moves before it is known
   [[nodiscard]] static std::expected<Interpreter, language::Error> begin(ProgramSet programs, Settings settings,
                                                                          const Start& start, InputReader inputs = {});
 
@@ -67,7 +98,7 @@ class Interpreter {
   [[nodiscard]] std::expected<ExecutedBlock, language::Error> step(std::vector<geometry::PathItem>& out);
 
   [[nodiscard]] bool ended() const { return ended_; }
-  [[nodiscard]] const ModalState& modal() const { return modal_; }
+  [[nodiscard]] const ModalState& modal() const { return state_.modal; }
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
   /// Programmed position (Sollwert): Istwert as the operator reads it after the blocks so far, in µm; X Y Z.
   [[nodiscard]] const std::array<std::int64_t, 3>& programmed_um() const { return programmed_um_; }
@@ -77,10 +108,26 @@ class Interpreter {
   [[nodiscard]] std::vector<std::pair<geometry::SourceBlock, const language::Block*>> upcoming(std::size_t count) const;
 
  private:
-  ModalState modal_;
+  Interpreter(ProgramSet programs, Settings settings, const Start& start, InputReader inputs);
+
+  std::expected<ExecutedBlock, language::Error> execute_block(std::vector<geometry::PathItem>& out);
+  /// Moves on to the next block to execute; true when there is none.
+  bool go_on(const Flow& flow);
+  /// Leaves finished subprograms or runs them again (W); true when the main program has no further block.
+  bool leave_finished_levels();
+  void append_end(BlockRun& run);
+
+  ProgramSet programs_;
+  Settings settings_;
+  InputReader inputs_;
   Parameters parameters_{};
-  std::array<std::int64_t, 3> programmed_um_{};
+  ExecutionState state_;
+  std::array<std::int64_t, 3> programmed_um_{};  ///< programmed_nm, rounded
+  std::vector<Frame> levels_;
+  std::uint64_t sequence_ = 0;
   bool ended_ = false;
+  /// The result that every further call repeats.
+  std::optional<std::expected<ExecutedBlock, language::Error>> last_;
 };
 
 }  // namespace cnclab::program

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "language/block.hpp"
 
@@ -22,6 +23,8 @@ class ProgramSet {
   void put(language::Program program);
   /// The program, or nullptr. The pointer lives as long as this set.
   [[nodiscard]] const language::Program* find(std::uint16_t number) const;
+  /// The numbers of all programs, ascending; P0000 among them.
+  [[nodiscard]] std::vector<std::uint16_t> numbers() const;
   /// The tool's row in P0000, if any.
   [[nodiscard]] std::optional<ToolData> tool(int number) const;
 

@@ -1,0 +1,91 @@
+// One block while it is being executed: what a function may read, and where it leaves what it does.
+#pragma once
+
+#include <cstddef>
+#include <expected>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "program/interpreter.hpp"
+
+namespace cnclab::program {
+
+/// Where execution goes on after the block.
+struct Flow {
+  enum class Kind : std::uint8_t { next, jump, call, end };
+  Kind kind = Kind::next;
+  const language::Program* program = nullptr;  ///< jump, call: target
+  std::size_t index = 0;                       ///< jump, call: index of the target block
+  int repeats = 0;                             ///< call: how often again after the first time
+};
+
+/// The bench on which a function works. It changes `state`, appends to `out` and sets `flow`; the interpreter keeps
+/// all of that only if the whole block succeeds, so a function may return an error at any point.
+struct BlockRun {
+  const language::Block& block;  ///< parameters already replaced by their values
+  geometry::SourceBlock source;
+  const Settings& settings;
+  const ProgramSet& programs;
+  std::span<const Frame> levels;  ///< active calls; the last one runs
+  geometry::PathItem pattern;     ///< an item of this block, without content
+  ExecutionState& state;
+  std::vector<geometry::PathItem>& out;
+  Flow flow;
+
+  /// Appends an element or event of this block.
+  template <typename What>
+  void emit(const What& what) {
+    pattern.what = what;
+    out.push_back(pattern);
+  }
+};
+
+using Outcome = std::expected<void, language::Error>;
+
+/// An error of a block, ready to be returned. `word` is the address to blame, 0 for the block as a whole.
+[[nodiscard]] std::unexpected<language::Error> error_at(language::ErrorCode code, geometry::SourceBlock source,
+                                                        char word, std::string detail = {}, std::string expected = {});
+
+/// F above F MAX (DEC-13): names the value and the limit.
+[[nodiscard]] std::unexpected<language::Error> feed_above_limit(geometry::SourceBlock source, std::int64_t feed,
+                                                                const Settings& settings);
+
+/// What a function does, besides its F, S, T and M words, which every block handles alike.
+using Handler = Outcome (*)(BlockRun&);
+
+// Motion (execute_motion.cpp).
+Outcome execute_rapid(BlockRun& run);                 // G00
+Outcome execute_line(BlockRun& run);                  // G01
+Outcome execute_clockwise_arc(BlockRun& run);         // G02
+Outcome execute_counterclockwise_arc(BlockRun& run);  // G03
+Outcome execute_fourth_axis(BlockRun& run);           // G12
+
+// Modal groups (execute_modal.cpp).
+Outcome select_plane_xy(BlockRun& run);             // G17
+Outcome select_plane_xz(BlockRun& run);             // G18
+Outcome select_plane_yz(BlockRun& run);             // G19
+Outcome cancel_radius_compensation(BlockRun& run);  // G40
+Outcome cancel_length_compensation(BlockRun& run);  // G45
+Outcome cancel_scale(BlockRun& run);                // G74
+Outcome set_scale(BlockRun& run);                   // G75
+Outcome select_absolute(BlockRun& run);             // G90
+Outcome select_incremental(BlockRun& run);          // G91
+
+// Order of execution (execute_flow.cpp).
+Outcome jump(BlockRun& run);  // G20
+Outcome call(BlockRun& run);  // G22
+
+// Events (execute_events.cpp).
+Outcome dwell(BlockRun& run);       // G04
+Outcome only_words(BlockRun& run);  // G11
+Outcome set_actual(BlockRun& run);  // G68
+
+/// F, S and T act at block start (FST-009, FST-011). errors: feed_above_limit
+Outcome execute_feed_speed_tool(BlockRun& run);
+
+/// M03, M04, M08, M13, M14 act at block start, all others at block end (M-900).
+enum class Moment : std::uint8_t { block_start, block_end };
+void execute_m(BlockRun& run, Moment moment);
+
+}  // namespace cnclab::program

@@ -1,0 +1,25 @@
+// Everything that can be known to be wrong with a set of programs before it runs, for `check`.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "language/error.hpp"
+#include "program/interpreter.hpp"
+
+namespace cnclab::program {
+
+/// Every fault of every program: incomplete blocks, values above the machine data, functions that the control does not
+/// have or this version does not execute, jumps and calls that lead nowhere. In the order of programs and blocks.
+[[nodiscard]] std::vector<language::Error> check_blocks(const ProgramSet& programs, const Settings& settings);
+
+/// The first fault that shows only in execution (F missing, wrong plane, circle, nesting, a call of itself), found by
+/// executing from `start` without a machine; at most `most_blocks`, since a program may loop.
+[[nodiscard]] std::optional<language::Error> dry_run(const ProgramSet& programs, const Settings& settings,
+                                                     const Start& start, std::uint64_t most_blocks);
+
+/// The programs at which somebody would press START: those that no other program calls or jumps to; if there are none,
+/// the lowest. P0000 is none.
+[[nodiscard]] std::vector<std::uint16_t> start_programs(const ProgramSet& programs);
+
+}  // namespace cnclab::program

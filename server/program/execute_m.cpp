@@ -1,0 +1,129 @@
+// M functions: what each does, and whether at the start or at the end of its block (section M, FST-009, FST-010).
+#include <array>
+
+#include "program/words.hpp"
+
+namespace cnclab::program {
+
+namespace {
+
+using geometry::SpindleTurn;
+
+void turn_spindle(BlockRun& run, SpindleTurn turn) {
+  ModalState& modal = run.state.modal;
+  modal.spindle = turn;
+  const double rpm = turn == SpindleTurn::off ? 0 : static_cast<double>(modal.spindle_rpm);
+  run.emit(geometry::Spindle{.turn = turn, .rpm = rpm});
+}
+
+void switch_coolant(BlockRun& run, bool on) {
+  run.state.modal.coolant = on;
+  run.emit(geometry::Coolant{.on = on});
+}
+
+void halt(BlockRun& run, int) { run.emit(geometry::Halt{.signal = false}); }
+void halt_with_signal(BlockRun& run, int) { run.emit(geometry::Halt{.signal = true}); }
+void end_program(BlockRun& run, int) { run.flow.kind = Flow::Kind::end; }
+void spindle_clockwise(BlockRun& run, int) { turn_spindle(run, SpindleTurn::clockwise); }
+void spindle_counterclockwise(BlockRun& run, int) { turn_spindle(run, SpindleTurn::counterclockwise); }
+void spindle_off(BlockRun& run, int) { turn_spindle(run, SpindleTurn::off); }
+void coolant_on(BlockRun& run, int) { switch_coolant(run, true); }
+void coolant_off(BlockRun& run, int) { switch_coolant(run, false); }
+
+void spindle_and_coolant_off(BlockRun& run, int) {
+  turn_spindle(run, SpindleTurn::off);
+  switch_coolant(run, false);
+}
+
+void clockwise_with_coolant(BlockRun& run, int) {
+  turn_spindle(run, SpindleTurn::clockwise);
+  switch_coolant(run, true);
+}
+
+void counterclockwise_with_coolant(BlockRun& run, int) {
+  turn_spindle(run, SpindleTurn::counterclockwise);
+  switch_coolant(run, true);
+}
+
+void sound_signal(BlockRun& run, int) { run.emit(geometry::Signal{}); }
+void wait_for_input_1(BlockRun& run, int) { run.emit(geometry::Wait{.card = 0, .line = 0}); }
+
+void special_functions_off(BlockRun& run, int) {
+  ModalState& modal = run.state.modal;
+  modal.blocks_hidden = modal.subprogram_blocks_hidden = modal.potentiometer_off = modal.test_run = false;
+}
+
+void hide_blocks(BlockRun& run, int) { run.state.modal.blocks_hidden = true; }
+void hide_subprogram_blocks(BlockRun& run, int) { run.state.modal.subprogram_blocks_hidden = true; }
+void potentiometer_off(BlockRun& run, int) { run.state.modal.potentiometer_off = true; }
+void begin_test_run(BlockRun& run, int) { run.state.modal.test_run = true; }
+
+// M40…M68 belong to card 1, M70…M98 to card 2; the units digit is the line, 0 means all eight (M-902).
+int card_of(int code) { return code < 70 ? 1 : 2; }
+void set_output(BlockRun& run, int code) {
+  run.emit(geometry::Output{.card = card_of(code), .line = code % 10, .on = true});
+}
+void reset_output(BlockRun& run, int code) {
+  run.emit(geometry::Output{.card = card_of(code), .line = code % 10, .on = false});
+}
+void wait_for_card(BlockRun& run, int code) { run.emit(geometry::Wait{.card = card_of(code), .line = code % 10}); }
+
+/// One M function, or several whose codes follow each other.
+struct Row {
+  int first, last;
+  void (*act)(BlockRun&, int code) = nullptr;
+  Moment moment = Moment::block_end;
+  bool acts_in_test_run = false;  ///< D-42, DEC-38
+};
+
+constexpr std::array kRows{
+    Row{0, 0, halt},
+    Row{1, 1, halt_with_signal},
+    Row{2, 2, end_program},
+    Row{3, 3, spindle_clockwise, Moment::block_start},
+    Row{4, 4, spindle_counterclockwise, Moment::block_start},
+    Row{5, 5, spindle_off, Moment::block_end, true},
+    Row{8, 8, coolant_on, Moment::block_start},
+    Row{9, 9, coolant_off, Moment::block_end, true},
+    Row{12, 12, spindle_and_coolant_off, Moment::block_end, true},
+    Row{13, 13, clockwise_with_coolant, Moment::block_start},
+    Row{14, 14, counterclockwise_with_coolant, Moment::block_start},
+    Row{15, 15, sound_signal},
+    Row{16, 16, wait_for_input_1},
+    Row{20, 20, special_functions_off, Moment::block_end, true},
+    Row{21, 21, hide_blocks, Moment::block_end, true},
+    Row{22, 22, hide_subprogram_blocks, Moment::block_end, true},
+    Row{23, 23, potentiometer_off, Moment::block_end, true},
+    Row{24, 24, begin_test_run},
+    Row{40, 48, set_output},
+    Row{50, 58, reset_output},
+    Row{60, 68, wait_for_card},
+    Row{70, 78, set_output},
+    Row{80, 88, reset_output},
+    Row{90, 98, wait_for_card},
+};
+
+constexpr std::size_t kCodes = 100;
+
+constexpr std::array<const Row*, kCodes> by_code() {
+  std::array<const Row*, kCodes> table{};
+  for (const Row& row : kRows)
+    for (int code = row.first; code <= row.last; ++code) table[static_cast<std::size_t>(code)] = &row;
+  return table;
+}
+
+constexpr std::array<const Row*, kCodes> kByCode = by_code();
+
+}  // namespace
+
+void execute_m(BlockRun& run, Moment moment) {
+  const language::Word* word = run.block.find(language::Address::M);
+  if (word == nullptr || word->number < 0 || word->number >= static_cast<std::int64_t>(kCodes)) return;
+  const Row* row = kByCode[static_cast<std::size_t>(word->number)];
+  if (row == nullptr || row->moment != moment) return;
+  if (run.state.modal.test_run && !row->acts_in_test_run) return;
+  run.state.modal.m = static_cast<int>(word->number);
+  row->act(run, static_cast<int>(word->number));
+}
+
+}  // namespace cnclab::program

@@ -1,0 +1,76 @@
+// The table from function code to handler; a further function is a further row.
+#include "program/functions.hpp"
+
+#include <array>
+
+namespace cnclab::program {
+
+namespace {
+
+constexpr std::size_t kCodes = 100;
+
+struct Row {
+  std::size_t code;
+  Handler handler;
+};
+
+constexpr std::array kRows{
+    Row{0, execute_rapid},
+    Row{1, execute_line},
+    Row{2, execute_clockwise_arc},
+    Row{3, execute_counterclockwise_arc},
+    Row{4, dwell},
+    Row{11, only_words},
+    Row{12, execute_fourth_axis},
+    Row{17, select_plane_xy},
+    Row{18, select_plane_xz},
+    Row{19, select_plane_yz},
+    Row{20, jump},
+    Row{22, call},
+    Row{40, cancel_radius_compensation},
+    Row{45, cancel_length_compensation},
+    Row{68, set_actual},
+    Row{74, cancel_scale},
+    Row{75, set_scale},
+    Row{90, select_absolute},
+    Row{91, select_incremental},
+};
+
+constexpr std::array<Handler, kCodes> by_code() {
+  std::array<Handler, kCodes> table{};
+  for (const Row& row : kRows) table[row.code] = row.handler;
+  return table;
+}
+
+constexpr std::array<Handler, kCodes> kGFunctions = by_code();
+
+/// "G41", "\01", as a tape writes it.
+std::string name_of(language::Function function) {
+  std::string name = function.kind == language::Function::Kind::parametric ? "\\" : "G";
+  name += static_cast<char>('0' + function.code / 10 % 10);
+  name += static_cast<char>('0' + function.code % 10);
+  return name;
+}
+
+}  // namespace
+
+Handler handler_of(language::Function function) {
+  switch (function.kind) {
+    case language::Function::Kind::g:
+      return function.code < kCodes ? kGFunctions[function.code] : nullptr;
+    case language::Function::Kind::parametric:
+    case language::Function::Kind::tool:
+      return nullptr;
+  }
+  return nullptr;
+}
+
+Outcome executable(const language::Block& block, geometry::SourceBlock source, const language::Vocabulary& vocabulary) {
+  const bool is_known = language::find_form(block.function, language::Plane::xy, vocabulary) != nullptr;
+  if (is_known && handler_of(block.function) != nullptr) return {};
+  const char word = block.function.kind == language::Function::Kind::parametric ? '\\' : 'G';
+  const auto code = is_known ? language::ErrorCode::not_in_this_version : language::ErrorCode::function_unknown;
+  return error_at(code, source, word, name_of(block.function));
+}
+
+}  // namespace cnclab::program

@@ -1,0 +1,14 @@
+// The modal state for a start in the middle of a program (DEC-26).
+#pragma once
+
+#include "language/block.hpp"
+#include "program/modal_state.hpp"
+
+namespace cnclab::program {
+
+/// The state that the blocks before `start_block` would leave: read in number order, their G groups, F, S, T and
+/// M20..M24 are taken over `modal`. Jumps, calls, waits, halts, motion and outputs are skipped, spindle and coolant
+/// stay as they are, words that name a parameter are left out (parameters stay untouched).
+[[nodiscard]] ModalState rebuild_modal(const language::Program& program, std::uint16_t start_block, ModalState modal);
+
+}  // namespace cnclab::program

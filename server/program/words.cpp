@@ -1,0 +1,97 @@
+// Reading parameters into words, and the checks that a block passes before it acts.
+#include "program/words.hpp"
+
+#include <cmath>
+
+#include "language/check_block.hpp"
+
+namespace cnclab::program {
+
+namespace {
+
+constexpr int kFirstStateParameter = 64;  // #64 #65 #66: Sollwert of X, Y, Z; #67, #68: radius and length of the tool
+
+/// 1/1 000 000 mm to 1/1000 mm, rounded to nearest, halves away from zero.
+std::int64_t rounded_to_um(std::int64_t value) {
+  constexpr std::int64_t kPerMicrometre = kParameterUnit / 1000;
+  return (value >= 0 ? value + kPerMicrometre / 2 : value - kPerMicrometre / 2) / kPerMicrometre;
+}
+
+/// The plane check is needed only where a form depends on the plane and its words fit another one.
+bool is_of_another_plane(const language::Block& block, language::Plane plane) {
+  return language::is_plane_dependent(block.function) && language::plane_of_words(block, plane) != plane;
+}
+
+}  // namespace
+
+std::int64_t parameter_value(int number, const Parameters& parameters, const ExecutionState& state,
+                             const ProgramSet& programs) {
+  constexpr std::int64_t kPerMicrometre = kParameterUnit / 1000;
+  if (number < kFirstStateParameter || number > kFirstStateParameter + 4)
+    return parameters.at(static_cast<std::size_t>(number));
+  if (number < kFirstStateParameter + 3)
+    return state.programmed_nm[static_cast<std::size_t>(number - kFirstStateParameter)];
+  const ToolData tool = programs.tool(state.modal.tool).value_or(ToolData{});
+  return (number == kFirstStateParameter + 3 ? tool.radius : tool.length).value * kPerMicrometre;
+}
+
+bool has_parameters(const language::Block& block) {
+  for (const language::Word& word : block.words)
+    if (word.is_parameter) return true;
+  return false;
+}
+
+language::Block read_parameters(language::Block block, const Parameters& parameters, const ExecutionState& state,
+                                const ProgramSet& programs) {
+  for (language::Word& word : block.words) {
+    if (!word.is_parameter) continue;
+    const std::int64_t value = parameter_value(static_cast<int>(word.number), parameters, state, programs);
+    const bool is_length = language::format_of(word.address).kind == language::WordFormat::Kind::millimetres;
+    word = {.address = word.address,
+            .is_parameter = false,
+            .number = is_length ? rounded_to_um(value) : value / kParameterUnit};
+  }
+  return block;
+}
+
+Outcome check_words(const language::Block& block, geometry::SourceBlock source, geometry::Plane plane,
+                    const Settings& settings) {
+  const language::Plane words_plane = as_language(plane);
+  if (is_of_another_plane(block, words_plane)) return error_at(language::ErrorCode::plane_wrong, source, 'G');
+  return check_form_and_limits(block, source, words_plane, settings);
+}
+
+Outcome check_form_and_limits(const language::Block& block, geometry::SourceBlock source, language::Plane plane,
+                              const Settings& settings) {
+  const auto as_um = [](double mm) { return language::Micrometres{std::llround(mm * 1000)}; };
+  const language::EntryLimits limits{.x = as_um(settings.travel_mm[0]),
+                                     .y = as_um(settings.travel_mm[1]),
+                                     .z = as_um(settings.travel_mm[2]),
+                                     .f_max = std::llround(settings.f_max_mm_per_min),
+                                     .s_max = std::llround(settings.s_max_rpm)};
+  const language::Word* feed = block.find(language::Address::F);
+  if (feed != nullptr && !feed->is_parameter && feed->number > limits.f_max)
+    return feed_above_limit(source, feed->number, settings);
+  Outcome checked = language::check_block(block, plane, settings.vocabulary, &limits);
+  if (!checked) checked.error().program = source.program;
+  return checked;
+}
+
+std::int64_t value_of(const language::Block& block, language::Address address, std::int64_t otherwise) {
+  const language::Word* word = block.find(address);
+  return word == nullptr ? otherwise : word->number;
+}
+
+language::Plane as_language(geometry::Plane plane) {
+  switch (plane) {
+    case geometry::Plane::xy:
+      return language::Plane::xy;
+    case geometry::Plane::xz:
+      return language::Plane::xz;
+    case geometry::Plane::yz:
+      return language::Plane::yz;
+  }
+  return language::Plane::xy;
+}
+
+}  // namespace cnclab::program

@@ -1,0 +1,34 @@
+// Words on their way into execution: parameters become numbers, and the finished block is checked (PAR-004, DEC-13).
+#pragma once
+
+#include "program/block_run.hpp"
+
+namespace cnclab::program {
+
+/// The value of a parameter in 1/1 000 000 mm; #64..#68 come from the state (PAR-035, PAR-036, D-95).
+[[nodiscard]] std::int64_t parameter_value(int number, const Parameters& parameters, const ExecutionState& state,
+                                           const ProgramSet& programs);
+
+/// Does any word of the block name a parameter?
+[[nodiscard]] bool has_parameters(const language::Block& block);
+
+/// The block with its parameters read now: mm words rounded to 1/1000, others their whole part (DEC-52, D-94).
+[[nodiscard]] language::Block read_parameters(language::Block block, const Parameters& parameters,
+                                              const ExecutionState& state, const ProgramSet& programs);
+
+/// Form, plane and limits of a block about to be executed.
+/// errors: plane_wrong (D-54), feed_above_limit, word_missing, word_out_of_range, word_not_allowed, m_unknown
+[[nodiscard]] Outcome check_words(const language::Block& block, geometry::SourceBlock source, geometry::Plane plane,
+                                  const Settings& settings);
+
+/// The same for a stored block whose words stand in `plane`, parameters and all.
+[[nodiscard]] Outcome check_form_and_limits(const language::Block& block, geometry::SourceBlock source,
+                                            language::Plane plane, const Settings& settings);
+
+/// The value of a word, or `otherwise`.
+[[nodiscard]] std::int64_t value_of(const language::Block& block, language::Address address, std::int64_t otherwise);
+
+/// The same plane as the language knows it.
+[[nodiscard]] language::Plane as_language(geometry::Plane plane);
+
+}  // namespace cnclab::program
