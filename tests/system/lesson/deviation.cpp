@@ -10,8 +10,8 @@ namespace cnclab::lesson {
 
 namespace {
 
-constexpr double kTie_mm = 1e-7;     ///< nearer than this is equally near (rule 3)
-constexpr double kChord_mm = 0.25;   ///< length is measured in chords: rounding to steps makes shorter ones too long
+constexpr double kTie_mm = 1e-7;    ///< nearer than this is equally near (rule 3)
+constexpr double kChord_mm = 0.25;  ///< length is measured in chords: rounding to steps makes shorter ones too long
 
 double largest_axis(const Point& a, const Point& b) {
   return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
@@ -22,12 +22,22 @@ struct Place {
   double way_mm = 0;  ///< within the element
 };
 
+struct Gap {
+  double axis_mm = std::numeric_limits<double>::infinity();
+  double space_mm = std::numeric_limits<double>::infinity();
+};
+
+double most_space_of(const Drawing& drawing, const Tolerance& tolerance) {
+  return std::sqrt(drawing.moving_axes()) * tolerance.step_mm / 2 + tolerance.noise_mm;
+}
+
 class Marker {
  public:
   Marker(const Drawing& drawing, const Tolerance& tolerance)
       : drawing_(drawing),
         behind_mm_(4 * tolerance.step_mm),
-        ahead_mm_(tolerance.way_per_tick_mm + 4 * tolerance.step_mm) {
+        ahead_mm_(3 * tolerance.way_per_tick_mm + 4 * tolerance.step_mm),
+        most_space_mm_(most_space_of(drawing, tolerance)) {
     double start = 0;
     for (const Element& element : drawing.elements()) {
       starts_.push_back(start);
@@ -35,36 +45,31 @@ class Marker {
     }
   }
 
-  [[nodiscard]] double reached_mm() const { return reached_; }
+  [[nodiscard]] double reached_mm() const { return furthest_; }
   [[nodiscard]] std::size_t element() const { return place_.element; }
 
-  /// Rule 1: moves to the nearest point; returns the distance in space.
-  double follow(const Point& p) {
-    double best_gap = std::numeric_limits<double>::infinity();
-    const double low = reached_ - behind_mm_, high = reached_ + ahead_mm_;
+  /// Rules 1 to 3: moves on; returns the tick's deviation.
+  Gap follow(const Point& p) {
+    const double low = furthest_ - behind_mm_, high = furthest_ + ahead_mm_;
+    Gap gap;
+    bool is_settled = false;
+    double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < starts_.size(); ++i) {
       const Element& element = drawing_.elements()[i];
-      if (starts_[i] > high || starts_[i] + element.length_mm() < low) continue;
-      const double way = element.nearest(p, low - starts_[i], high - starts_[i]);
-      const double gap = distance(p, element.at(way));
-      if (gap < best_gap - kTie_mm) {
-        best_gap = gap;
-        place_ = {i, way};
-      }
+      const double from = low - starts_[i], to = high - starts_[i];
+      if (to < 0 || from > element.length_mm()) continue;
+      const double way = element.nearest(p, from, to);
+      const double space = distance(p, element.at(way));
+      gap.space_mm = std::min(gap.space_mm, space);
+      gap.axis_mm = std::min(gap.axis_mm, axis_gap_on(element, p, from, to));
+      const bool is_inside = way > std::max(from, 0.0) && way < std::min(to, element.length_mm());
+      if (is_settled || space >= nearest - kTie_mm) continue;
+      nearest = space;
+      place_ = {i, way};
+      is_settled = is_inside && space <= most_space_mm_;
     }
-    reached_ = starts_[place_.element] + place_.way_mm;
-    return best_gap;
-  }
-
-  /// Rule 2: the smallest deviation of the worst axis at one point near the marker.
-  [[nodiscard]] double axis_gap(const Point& p) const {
-    double best = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < starts_.size(); ++i) {
-      const double low = reached_ - starts_[i] - behind_mm_, high = reached_ - starts_[i] + behind_mm_;
-      if (high < 0 || low > drawing_.elements()[i].length_mm()) continue;
-      best = std::min(best, axis_gap_on(drawing_.elements()[i], p, low, high));
-    }
-    return best;
+    furthest_ = std::max(furthest_, starts_[place_.element] + place_.way_mm);
+    return gap;
   }
 
  private:
@@ -85,10 +90,10 @@ class Marker {
   }
 
   const Drawing& drawing_;
-  double behind_mm_, ahead_mm_;
+  double behind_mm_, ahead_mm_, most_space_mm_;
   std::vector<double> starts_;
   Place place_;
-  double reached_ = 0;
+  double furthest_ = 0;
 };
 
 std::string place_of(const TraceRow& row) {
@@ -96,6 +101,12 @@ std::string place_of(const TraceRow& row) {
   std::snprintf(text, sizeof text, "at %.3f s, P%04d N%03d, X %.3f Y %.3f Z %.3f from the start", row.time_s,
                 row.program, row.block, row.position[0], row.position[1], row.position[2]);
   return text;
+}
+
+/// Rule 4: the way from one tick to the next, rounding included.
+bool is_jump(const TraceRow& before, const TraceRow& now, const Tolerance& tolerance) {
+  const double most = tolerance.way_per_tick_mm + std::sqrt(3.0) * tolerance.step_mm;
+  return distance(before.position, now.position) > most;
 }
 
 std::string in_mm(double value) {
@@ -145,24 +156,29 @@ std::string end_fault(const Comparison& result, const Drawing& drawing, const Po
 
 Comparison compare(const Drawing& drawing, const std::vector<TraceRow>& trace, const Tolerance& tolerance,
                    Expect expect) {
-  Comparison result{.drawn_mm = drawing.length_mm()};
+  Comparison result;
+  result.drawn_mm = drawing.length_mm();
   if (trace.empty() || drawing.elements().empty()) {
     result.fault = "there is nothing to compare";
     return result;
   }
   const double most_axis = tolerance.step_mm / 2 + tolerance.noise_mm;
-  const double most_space = std::sqrt(drawing.moving_axes()) * tolerance.step_mm / 2 + tolerance.noise_mm;
+  const double most_space = most_space_of(drawing, tolerance);
   Marker marker(drawing, tolerance);
   Ruler ruler;
+  const TraceRow* before = &trace.front();
   for (const TraceRow& row : trace) {
-    const double space = marker.follow(row.position);
-    const double axis = marker.axis_gap(row.position);
-    result.largest_space_mm = std::max(result.largest_space_mm, space);
-    result.largest_axis_mm = std::max(result.largest_axis_mm, axis);
+    const Gap gap = marker.follow(row.position);
+    result.largest_space_mm = std::max(result.largest_space_mm, gap.space_mm);
+    result.largest_axis_mm = std::max(result.largest_axis_mm, gap.axis_mm);
     ruler.add(row.position, marker.element());
-    if (result.fault.empty() && (axis > most_axis || space > most_space)) {
-      result.fault = in_mm(axis) + " off in an axis, " + in_mm(space) + " in space, " + place_of(row);
+    if (result.fault.empty() && (gap.axis_mm > most_axis || gap.space_mm > most_space)) {
+      result.fault = in_mm(gap.axis_mm) + " off in an axis, " + in_mm(gap.space_mm) + " in space, " + place_of(row);
     }
+    if (result.fault.empty() && is_jump(*before, row, tolerance)) {
+      result.fault = "a jump of " + in_mm(distance(before->position, row.position)) + " in one tick, " + place_of(row);
+    }
+    before = &row;
   }
   result.reached_mm = marker.reached_mm();
   result.measured_mm = ruler.length_mm();
@@ -171,6 +187,15 @@ Comparison compare(const Drawing& drawing, const std::vector<TraceRow>& trace, c
     result.fault = end_fault(result, drawing, trace.back().position, tolerance);
   }
   return result;
+}
+
+double rested_s(const std::vector<TraceRow>& trace, const Point& at, const Tolerance& tolerance) {
+  double rested = 0;
+  for (std::size_t i = 1; i < trace.size(); ++i) {
+    const bool is_there = largest_axis(trace[i].position, at) <= tolerance.step_mm / 2 + tolerance.noise_mm;
+    if (is_there && trace[i].position == trace[i - 1].position) rested += trace[i].time_s - trace[i - 1].time_s;
+  }
+  return rested;
 }
 
 }  // namespace cnclab::lesson

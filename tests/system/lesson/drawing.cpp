@@ -17,18 +17,19 @@ struct PlaneAxes {
 
 PlaneAxes axes_of(Plane plane) {
   switch (plane) {
-    case Plane::xy: return {0, 1};
-    case Plane::xz: return {2, 0};
-    case Plane::yz: return {1, 2};
+    case Plane::xy:
+      return {0, 1};
+    case Plane::xz:
+      return {2, 0};
+    case Plane::yz:
+      return {1, 2};
   }
   return {0, 1};
 }
 
 }  // namespace
 
-double distance(const Point& a, const Point& b) {
-  return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
+double distance(const Point& a, const Point& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 Element::Element(const Point& from, const Curve& curve) : from_(from) {
   if (const auto* line = std::get_if<Line>(&curve)) {

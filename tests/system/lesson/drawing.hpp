@@ -23,8 +23,8 @@ struct Line {
 enum class Plane { xy, xz, yz };
 enum class Turn { cw, ccw };
 
-/// An arc about a centre. Where start and end differ in radius by a step (the manual's full circle in two blocks, EX-040),
-/// the radius changes linearly with the angle (D-55). End = start is a full circle (DEC-04).
+/// An arc about a centre. Where start and end differ in radius by a step (the manual's full circle in two blocks,
+/// EX-040), the radius changes linearly with the angle (D-55). End = start is a full circle (DEC-04).
 struct Arc {
   Plane plane = Plane::xy;
   Turn turn = Turn::ccw;
