@@ -12,9 +12,27 @@ namespace cnclab::language {
 
 /// Address letters (BLK-002). Two are ours: the operand and the value of a parametric function.
 enum class Address : char {
-  D = 'D', F = 'F', H = 'H', I = 'I', J = 'J', K = 'K', L = 'L', M = 'M', N = 'N', P = 'P', Q = 'Q',
-  R = 'R', S = 'S', T = 'T', U = 'U', V = 'V', W = 'W', X = 'X', Y = 'Y', Z = 'Z',
-  operand = '#',  ///< #nn of a parametric function, in the order of its line (first the target)
+  D = 'D',
+  F = 'F',
+  H = 'H',
+  I = 'I',
+  J = 'J',
+  K = 'K',
+  L = 'L',
+  M = 'M',
+  N = 'N',
+  P = 'P',
+  Q = 'Q',
+  R = 'R',
+  S = 'S',
+  T = 'T',
+  U = 'U',
+  V = 'V',
+  W = 'W',
+  X = 'X',
+  Y = 'Y',
+  Z = 'Z',
+  operand = '#',  ///< #nn of a parametric function, in the order of its line (first the target); a plain number
   value = '=',    ///< the value of ↓00
 };
 
@@ -45,7 +63,7 @@ using Words = boost::container::static_vector<Word, kMostWords>;
 struct Block {
   std::uint16_t number = 0;  ///< N001..N999; T001..T099 in P0000
   Function function;
-  Words words;  ///< only those that have a value, in the order of the block form
+  Words words;              ///< only those that have a value, in the order of the block form
   bool is_damaged = false;  ///< its check code did not fit when it was read (STO-003); never executed
 
   [[nodiscard]] const Word* find(Address address) const {

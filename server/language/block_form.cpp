@@ -1,0 +1,154 @@
+// Looking forms and formats up: constant tables made from the rows of form_table.hpp when this is compiled.
+#include "language/block_form.hpp"
+
+#include <array>
+#include <iterator>
+
+#include "language/form_table.hpp"
+
+namespace cnclab::language {
+
+namespace {
+
+using Kind = Function::Kind;
+
+constexpr int kCodes = 100;
+constexpr int kPlanes = 3;
+constexpr std::array kAllPlanes{Plane::xy, Plane::xz, Plane::yz};
+
+/// Place of a form in kForms plus 1, by kind, code and plane; 0 where there is none.
+using FormIndex = std::array<std::array<std::array<std::uint8_t, kPlanes>, kCodes>, 2>;
+
+constexpr FormIndex make_form_index() {
+  FormIndex index{};
+  for (std::size_t i = 0; i < std::size(kForms); ++i) {
+    const BlockForm& form = kForms[i];
+    if (form.function.kind == Kind::tool) continue;
+    auto& planes = index[static_cast<std::size_t>(form.function.kind)][form.function.code];
+    const auto place = static_cast<std::uint8_t>(i + 1);
+    if (form.is_for_one_plane)
+      planes[static_cast<std::size_t>(form.plane)] = place;
+    else
+      planes = {place, place, place};
+  }
+  return index;
+}
+
+constexpr FormIndex kFormIndex = make_form_index();
+static_assert(std::size(kForms) < 255);
+
+/// P0000 has one row form for all its tools (D-50).
+constexpr std::size_t find_tool_form() {
+  for (std::size_t i = 0; i < std::size(kForms); ++i)
+    if (kForms[i].function.kind == Kind::tool) return i;
+  return 0;
+}
+constexpr std::size_t kToolForm = find_tool_form();
+
+const BlockForm* form_at(Function function, Plane plane) {
+  if (function.kind == Kind::tool) return &kForms[kToolForm];
+  if (function.code >= kCodes) return nullptr;
+  const auto place =
+      kFormIndex[static_cast<std::size_t>(function.kind)][function.code][static_cast<std::size_t>(plane)];
+  return place == 0 ? nullptr : &kForms[place - 1];
+}
+
+constexpr std::array<std::uint8_t, 128> make_format_index() {
+  std::array<std::uint8_t, 128> index{};
+  for (std::size_t i = 0; i < std::size(kFormats); ++i)
+    index[static_cast<std::size_t>(letter(kFormats[i].address))] = static_cast<std::uint8_t>(i);
+  return index;
+}
+constexpr std::array<std::uint8_t, 128> kFormatIndex = make_format_index();
+
+constexpr AddressSet set_of_words(const BlockForm& form) {
+  AddressSet set = 0;
+  for (const Address address : form.words) set |= bit_of(address);
+  return set;
+}
+
+constexpr auto make_form_sets() {
+  std::array<AddressSet, std::size(kForms)> sets{};
+  for (std::size_t i = 0; i < std::size(kForms); ++i) sets[i] = set_of_words(kForms[i]);
+  return sets;
+}
+constexpr auto kFormSets = make_form_sets();
+
+}  // namespace
+
+const WordFormat& format_of(Address address) {
+  return kFormats[kFormatIndex[static_cast<std::size_t>(letter(address)) % kFormatIndex.size()]];
+}
+
+const BlockForm* find_form(Function function, Plane plane, const Vocabulary& vocabulary) {
+  const BlockForm* form = form_at(function, plane);
+  if (form == nullptr) return nullptr;
+  if (vocabulary.model == Model::cnc3250 && !form->on_3250) return nullptr;
+  if (form->is_planned && !vocabulary.planned_functions) return nullptr;
+  return form;
+}
+
+std::span<const BlockForm> all_forms() { return kForms; }
+
+bool is_plane_dependent(Function function) {
+  const BlockForm* form = form_at(function, Plane::xy);
+  return form != nullptr && form->is_for_one_plane;
+}
+
+AddressSet addresses_of(const BlockForm& form) { return kFormSets[static_cast<std::size_t>(&form - kForms)]; }
+
+AddressSet addresses_in_any_plane(Function function) {
+  AddressSet set = 0;
+  for (const Plane plane : kAllPlanes)
+    if (const BlockForm* form = form_at(function, plane)) set |= addresses_of(*form);
+  return set;
+}
+
+Plane plane_of_words(Function function, AddressSet words, Plane fallback) {
+  const auto fits = [&](Plane plane) {
+    const BlockForm* form = form_at(function, plane);
+    return form != nullptr && (words & ~addresses_of(*form)) == 0;
+  };
+  if (!is_plane_dependent(function) || fits(fallback)) return fallback;
+  for (const Plane plane : kAllPlanes)
+    if (fits(plane)) return plane;
+  return fallback;
+}
+
+Plane plane_of_words(const Block& block, Plane fallback) {
+  AddressSet words = 0;
+  for (const Word& word : block.words) words |= bit_of(word.address);
+  return plane_of_words(block.function, words, fallback);
+}
+
+bool is_known_m(std::int64_t code) {
+  if (code < 0 || code > 98) return false;
+  if (code < 40) {
+    switch (code) {
+      case 0:
+      case 1:
+      case 2:
+      case 3:
+      case 4:
+      case 5:
+      case 8:
+      case 9:
+      case 12:
+      case 13:
+      case 14:
+      case 15:
+      case 16:
+      case 20:
+      case 21:
+      case 22:
+      case 23:
+      case 24:
+        return true;
+      default:
+        return false;
+    }
+  }
+  return code % 10 != 9;  // M40–M98: outputs and inputs 1–8 of cards 1 and 2, 0 for all of them
+}
+
+}  // namespace cnclab::language

@@ -1,0 +1,164 @@
+// The table of errors, and the sentences made from it.
+#include "language/error.hpp"
+
+#include <fmt/format.h>
+
+namespace cnclab::language {
+
+namespace {
+
+/// One language's texts. In sentences {0} is the word with what was found ("F 4000"), {1} what would be right with a
+/// blank and parentheses around it, or nothing.
+struct Texts {
+  std::string_view monitor;
+  std::string_view sentence;
+};
+
+struct Row {
+  ErrorCode code;
+  Texts german, english;
+};
+
+constexpr std::string_view kCheckBlock = "Satz überprüfen";  // ERR-002, ERR-003
+constexpr std::string_view kCheckBlockEnglish = "Check block";
+
+constexpr Row kRows[] = {
+    {ErrorCode::function_unknown,
+     {"Funktion nicht vorgesehen", "{0} gibt es an dieser Steuerung nicht. Andere Funktion eingeben."},
+     {"Function not available", "{0} does not exist on this control. Enter another function."}},
+    {ErrorCode::word_missing,
+     {kCheckBlock, "{0} fehlt{1}. Wort ergänzen."},
+     {kCheckBlockEnglish, "{0} is missing{1}. Add the word."}},
+    {ErrorCode::word_out_of_range,
+     {kCheckBlock, "{0} ist nicht erlaubt{1}. Wert ändern."},
+     {kCheckBlockEnglish, "{0} is not allowed{1}. Change the value."}},
+    {ErrorCode::word_not_allowed,
+     {kCheckBlock, "{0} passt nicht in diesen Satz{1}. Wort entfernen."},
+     {kCheckBlockEnglish, "{0} does not fit into this block{1}. Remove the word."}},
+    {ErrorCode::program_missing,
+     {"Programm fehlt", "Programm {0} ist nicht gespeichert{1}. Andere Nummer wählen oder eingeben."},
+     {"Program missing", "Program {0} is not stored{1}. Choose another number or enter it."}},
+    {ErrorCode::block_missing,
+     {"Satz fehlt", "Satz {0} gibt es nicht{1}. Andere Satznummer wählen."},
+     {"Block missing", "Block {0} does not exist{1}. Choose another block number."}},
+    {ErrorCode::memory_full,
+     {"Speicher voll", "Speicher voll{1}: {0} nicht gespeichert. Programme löschen."},
+     {"Memory full", "Memory full{1}: {0} not stored. Delete programs."}},
+    {ErrorCode::nesting_too_deep,
+     {"Zu tief verschachtelt", "{0}: mehr als 16 Aufrufe ineinander{1}. Aufrufe verringern."},
+     {"Nested too deeply", "{0}: more than 16 calls inside each other{1}. Use fewer."}},
+    {ErrorCode::calls_itself,
+     {"Ruft sich selbst auf", "Programm {0} ruft sich selbst auf{1}. Für Schleifen G20 nehmen."},
+     {"Calls itself", "Program {0} calls itself{1}. Use G20 for loops."}},
+    {ErrorCode::feed_missing,
+     {"F fehlt", "Noch kein Vorschub: {0} vorher programmieren{1}, z. B. mit G11."},
+     {"F missing", "No feed yet: program {0} before{1}, e.g. with G11."}},
+    {ErrorCode::plane_wrong,
+     {"Falsche Ebene", "{0} passt nicht zur Kreisebene{1}. G17, G18 oder G19 davor setzen."},
+     {"Wrong plane", "{0} does not fit the plane{1}. Put G17, G18 or G19 before it."}},
+    {ErrorCode::arc_wrong,
+     {"Kreis falsch", "{0}: Endpunkt liegt nicht auf dem Kreis{1}. Endpunkt oder Mitte ändern."},
+     {"Arc wrong", "{0}: end point is not on the arc{1}. Change end point or centre."}},
+    {ErrorCode::compensation_impossible,
+     {"Korrektur nicht moeglich", "{0}: Werkzeugkorrektur geht hier nicht{1}. Kontur oder T ändern."},
+     {"Compensation impossible", "{0}: no tool compensation possible here{1}. Change contour or T."}},
+    {ErrorCode::scale_not_allowed,
+     {"Skalenfaktor unzulaessig", "{0}: Skalenfaktor geht hier nicht{1}. G91, G40, G45 vorher."},
+     {"Scale not allowed", "{0}: no scale factor here{1}. G91, G40, G45 first."}},
+    {ErrorCode::m_unknown,
+     {"M nicht vorgesehen", "{0} gibt es nicht{1}. Andere M-Funktion eingeben."},
+     {"M not available", "{0} does not exist{1}. Enter another M function."}},
+    {ErrorCode::cycle_value_wrong,
+     {"Zykluswert falsch", "{0} geht in diesem Zyklus nicht{1}. Wert ändern."},
+     {"Cycle value wrong", "{0} does not work in this cycle{1}. Change the value."}},
+    {ErrorCode::parameter_read_only,
+     {"Parameter nur lesbar", "{0} kann nur gelesen werden{1}. Anderen Parameter nehmen."},
+     {"Parameter read only", "{0} can only be read{1}. Use another parameter."}},
+    {ErrorCode::transfer_wrong,
+     {"Uebertragung falsch", "Übertragung falsch bei {0}{1}. Daten prüfen, neu senden."},
+     {"Transfer wrong", "Transfer wrong at {0}{1}. Check the data, send again."}},
+    {ErrorCode::reserved_for_cycles,
+     {"Reserviert fuer Zyklen", "P9981 bis P9989 gehören den Zyklen{1}. Andere Nummer nehmen."},
+     {"Reserved for cycles", "P9981 to P9989 belong to the cycles{1}. Use another number."}},
+    {ErrorCode::checksum_wrong,
+     {"CHECKSUM FEHLER", "Gespeicherter Satz {0} ist beschädigt{1}. Löschen und neu eingeben."},
+     {"CHECKSUM ERROR", "Stored block {0} is damaged{1}. Delete and enter it again."}},
+    {ErrorCode::feed_above_limit,
+     {kCheckBlock, "{0} ist größer als F MAX{1}. F verringern."},
+     {kCheckBlockEnglish, "{0} is above F MAX{1}. Use a smaller F."}},
+    {ErrorCode::travel_exceeded,
+     {"Verfahrweg zu gross", "{0} verlässt den Verfahrweg{1}. Nullpunkt oder Weg ändern."},
+     {"Travel exceeded", "{0} leaves the travel{1}. Change zero or way."}},
+    {ErrorCode::block_number_wrong,
+     {kCheckBlock, "Satznummer {0} geht nicht{1}. Freie Nummer 001..999 wählen."},
+     {kCheckBlockEnglish, "Block number {0} does not work{1}. Choose a free one, 001..999."}},
+    {ErrorCode::program_number_wrong,
+     {"Programmnummer falsch", "Programmnummer {0} falsch{1}. P und vier Ziffern angeben."},
+     {"Program number wrong", "Program number {0} wrong{1}. Give P and four digits."}},
+    {ErrorCode::text_malformed,
+     {"Uebertragung falsch", "{0} ist kein Wort der Steuerung{1}. Text berichtigen."},
+     {"Transfer wrong", "{0} is no word of the control{1}. Correct the text."}},
+    {ErrorCode::lower_case,
+     {"Uebertragung falsch", "Kleinbuchstabe {0} würde die Steuerung überlesen{1}. Groß schreiben."},
+     {"Transfer wrong", "The control would skip the small letter {0}{1}. Use capitals."}},
+    {ErrorCode::not_in_this_version,
+     {"In Vorbereitung", "{0} ist in Vorbereitung und läuft noch nicht{1}. Satz ändern."},
+     {"In preparation", "{0} is in preparation and does not run yet{1}. Change the block."}},
+};
+
+/// Rows are found by their code.
+constexpr bool is_complete() {
+  std::size_t code = 0;
+  for (const Row& row : kRows)
+    if (static_cast<std::size_t>(row.code) != code++) return false;
+  return code == static_cast<std::size_t>(kLastErrorCode) + 1;
+}
+static_assert(is_complete(), "one row for each ErrorCode, in their order");
+
+const Texts& texts_of(ErrorCode code, Tongue tongue) {
+  const Row& row = kRows[static_cast<std::size_t>(code)];
+  return tongue == Tongue::german ? row.german : row.english;
+}
+
+/// "F 4000", "G99": the word with what was found; without a word what was found; else the block or "the text".
+std::string subject_of(const Error& error, Tongue tongue) {
+  std::string text;
+  if (error.code == ErrorCode::function_unknown && !error.detail.empty()) return error.detail;  // "G99", "↓18"
+  if (error.word == '=')
+    text = tongue == Tongue::german ? "Wert" : "Value";
+  else if (error.word != 0)
+    text = error.word;
+  if (error.detail.empty()) {
+    if (!text.empty()) return text;
+    return tongue == Tongue::german ? "dieser Satz" : "this block";
+  }
+  if (error.detail.front() == error.word || text.empty()) return error.detail;  // "G99" and "#64" name the word too
+  return text + ' ' + error.detail;
+}
+
+}  // namespace
+
+std::string_view monitor_text(ErrorCode code, Tongue tongue) { return texts_of(code, tongue).monitor; }
+
+std::string message_of(const Error& error, Tongue tongue) {
+  const std::string_view right = tongue == Tongue::german ? "richtig" : "right";
+  const std::string expected = error.expected.empty() ? "" : fmt::format(" ({}: {})", right, error.expected);
+  std::string message =
+      fmt::format(fmt::runtime(texts_of(error.code, tongue).sentence), subject_of(error, tongue), expected);
+  if (message.starts_with("dieser") || message.starts_with("this")) message.front() -= 'a' - 'A';
+  return message;
+}
+
+std::string explain(const Error& error, Tongue tongue) {
+  const std::string place = place_of(error);
+  return place.empty() ? message_of(error, tongue) : place + ": " + message_of(error, tongue);
+}
+
+std::string place_of(const Error& error) {
+  if (error.program == 0 && error.block == 0) return {};
+  if (error.block == 0) return fmt::format("P{:04}", error.program);
+  if (error.program == 0) return fmt::format("N{:03}", error.block);
+  return fmt::format("P{:04} N{:03}", error.program, error.block);
+}
+
+}  // namespace cnclab::language

@@ -12,34 +12,37 @@ namespace cnclab::language {
 
 /// What was wrong. The monitor text of each is the manual's where it has one, else an own one (DEC-02, DEC-50).
 enum class ErrorCode : std::uint8_t {
-  function_unknown,       ///< Funktion nicht vorgesehen (ERR-001)
-  word_missing,           ///< Satz überprüfen: block incomplete (ERR-002)
-  word_out_of_range,      ///< Satz überprüfen: above the machine data or the format (ERR-003)
-  word_not_allowed,       ///< a word that this function does not have (tape, files)
-  program_missing,        ///< Programm fehlt
-  block_missing,          ///< Satz fehlt: jump target, start block, SATZ SUCHEN
-  memory_full,            ///< Speicher voll (DEC-07)
-  nesting_too_deep,       ///< Zu tief verschachtelt: 16 levels (D-58)
-  calls_itself,           ///< a subprogram that is still active is called again (recursion)
-  feed_missing,           ///< F fehlt: a way or arc while F0000 is active (D-59)
-  plane_wrong,            ///< Falsche Ebene (D-54, D-69, DEC-64)
-  arc_wrong,              ///< Kreis falsch (D-55, D-65, D-66)
-  compensation_impossible,///< Korrektur nicht moeglich (D-64, D-71)
-  scale_not_allowed,      ///< Skalenfaktor unzulaessig (D-68)
-  m_unknown,              ///< M nicht vorgesehen (D-51)
-  cycle_value_wrong,      ///< Zykluswert falsch (D-85, D-89)
-  parameter_read_only,    ///< Parameter nur lesbar (D-93)
-  transfer_wrong,         ///< Uebertragung falsch (D-100, D-102)
-  reserved_for_cycles,    ///< Reserviert fuer Zyklen: P9981..P9989 (DEC-06)
-  checksum_wrong,         ///< CHECKSUM FEHLER (ERR-004)
-  feed_above_limit,       ///< Satz überprüfen: F above F MAX at execution
-  travel_exceeded,        ///< the lab machine's travel (DEC-27, AUTH-011)
-  block_number_wrong,     ///< outside 001..999, twice, or no room behind N999 (D-47)
-  program_number_wrong,   ///< outside 0000..9999
-  text_malformed,         ///< a character or number that is no word (tape, files)
-  lower_case,             ///< a file with small letters outside comments (DEC-30)
-  not_in_this_version,    ///< a function whose execution this version does not have
+  function_unknown,         ///< Funktion nicht vorgesehen (ERR-001)
+  word_missing,             ///< Satz überprüfen: block incomplete (ERR-002)
+  word_out_of_range,        ///< Satz überprüfen: above the machine data or the format (ERR-003)
+  word_not_allowed,         ///< a word that this function does not have (tape, files)
+  program_missing,          ///< Programm fehlt
+  block_missing,            ///< Satz fehlt: jump target, start block, SATZ SUCHEN
+  memory_full,              ///< Speicher voll (DEC-07)
+  nesting_too_deep,         ///< Zu tief verschachtelt: 16 levels (D-58)
+  calls_itself,             ///< a subprogram that is still active is called again (recursion)
+  feed_missing,             ///< F fehlt: a way or arc while F0000 is active (D-59)
+  plane_wrong,              ///< Falsche Ebene (D-54, D-69, DEC-64)
+  arc_wrong,                ///< Kreis falsch (D-55, D-65, D-66)
+  compensation_impossible,  ///< Korrektur nicht moeglich (D-64, D-71)
+  scale_not_allowed,        ///< Skalenfaktor unzulaessig (D-68)
+  m_unknown,                ///< M nicht vorgesehen (D-51)
+  cycle_value_wrong,        ///< Zykluswert falsch (D-85, D-89)
+  parameter_read_only,      ///< Parameter nur lesbar (D-93)
+  transfer_wrong,           ///< Uebertragung falsch (D-100, D-102)
+  reserved_for_cycles,      ///< Reserviert fuer Zyklen: P9981..P9989 (DEC-06)
+  checksum_wrong,           ///< CHECKSUM FEHLER (ERR-004)
+  feed_above_limit,         ///< Satz überprüfen: F above F MAX at execution
+  travel_exceeded,          ///< the lab machine's travel (DEC-27, AUTH-011)
+  block_number_wrong,       ///< outside 001..999, twice, or no room behind N999 (D-47)
+  program_number_wrong,     ///< outside 0000..9999
+  text_malformed,           ///< a character or number that is no word (tape, files)
+  lower_case,               ///< a file with small letters outside comments (DEC-30)
+  not_in_this_version,      ///< a function whose execution this version does not have
 };
+
+/// The last of the codes, so that a table can be checked for completeness.
+inline constexpr ErrorCode kLastErrorCode = ErrorCode::not_in_this_version;
 
 /// One error with its place. `word` is the address letter, 0 where no word is to blame.
 struct Error {
@@ -47,17 +50,21 @@ struct Error {
   std::uint16_t program = 0;
   std::uint16_t block = 0;
   char word = 0;
-  std::string detail;    ///< what was found, e.g. "4000"; may be empty
-  std::string expected;  ///< what would be right, e.g. "0001..3000"; may be empty
-  int line = 0;          ///< line of the file, from 1; 0 where there is none
+  std::string detail = {};    ///< what was found, e.g. "4000"; may be empty
+  std::string expected = {};  ///< what would be right, e.g. "0001..3000"; may be empty
+  int line = 0;               ///< line of the file, from 1; 0 where there is none
   friend bool operator==(const Error&, const Error&) = default;
 };
 
 /// The short text on the 64×16 monitor, exactly as the manual prints it where it does.
 [[nodiscard]] std::string_view monitor_text(ErrorCode code, Tongue tongue);
 
-/// A full sentence for row 18, `check` and logs: block, word, value, limit and what to do.
+/// A full sentence for row 18 and logs: block, word, value, limit and what to do. It is `place_of`, ": " and
+/// `message_of`; where program and block are unknown only the latter.
 [[nodiscard]] std::string explain(const Error& error, Tongue tongue);
+
+/// The same without the place, for those who print the place themselves (`check`: FILE:LINE: P0001 N003: message).
+[[nodiscard]] std::string message_of(const Error& error, Tongue tongue);
 
 /// "P0001 N003" as far as known; empty where neither is.
 [[nodiscard]] std::string place_of(const Error& error);

@@ -51,9 +51,15 @@ struct Tape {
 };
 
 /// Reads a tape or a file of the cnc3300 dialect. A program of the same number again replaces the earlier one.
-[[nodiscard]] Tape read_tape(std::string_view text, Reading reading);
+///
+/// A program with an error is not among the programs; a file with small letters gives none at all (DEC-30). At most
+/// 1000 errors are listed, a notice gives the number of the others. Time and memory are linear in the text's length.
+/// Words are checked for their form only (D-46, DEC-13): completeness and limits are `check_program`'s.
+///
+/// tongue      of the notices
+[[nodiscard]] Tape read_tape(std::string_view text, Reading reading, Tongue tongue = Tongue::german);
 
-/// The check code appended to every stored block (SYS-018): CRC-32 (IEEE 802.3) of its stored form and program number.
+/// The check code appended to every stored block (SYS-018): CRC-32 (IEEE 802.3) of "P0001" and its stored form.
 [[nodiscard]] std::uint32_t check_code(std::uint16_t program, std::string_view stored_block);
 
 }  // namespace cnclab::language

@@ -1,0 +1,44 @@
+// Number text for tapes, screens and messages.
+#include "language/value_text.hpp"
+
+#include <array>
+#include <charconv>
+
+namespace cnclab::language {
+
+void append_digits(std::string& text, std::int64_t value, int digits) {
+  std::array<char, 24> buffer{};
+  const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr;
+  const auto length = end - buffer.data();
+  if (length < digits) text.append(static_cast<std::size_t>(digits - length), '0');
+  text.append(buffer.data(), end);
+}
+
+std::string millimetres_text(std::int64_t value_um) {
+  std::string text(value_um < 0 ? "-" : "");
+  const std::int64_t size = value_um < 0 ? -value_um : value_um;
+  append_digits(text, size / 1000, 1);
+  text += '.';
+  append_digits(text, size % 1000, 3);
+  return text;
+}
+
+std::string value_text(const Word& word) {
+  const WordFormat& format = format_of(word.address);
+  if (!word.is_parameter && format.kind == WordFormat::Kind::millimetres) return millimetres_text(word.number);
+  std::string text(word.is_parameter ? "#" : "");
+  append_digits(text, word.number, word.is_parameter ? 2 : format.digits);
+  return text;
+}
+
+std::string range_text(const WordFormat& format) {
+  if (format.kind == WordFormat::Kind::millimetres)
+    return millimetres_text(format.least) + ".." + millimetres_text(format.most);
+  std::string text;
+  append_digits(text, format.least, format.digits);
+  text += "..";
+  append_digits(text, format.most, format.digits);
+  return text;
+}
+
+}  // namespace cnclab::language
