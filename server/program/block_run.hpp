@@ -81,8 +81,8 @@ Outcome dwell(BlockRun& run);       // G04
 Outcome only_words(BlockRun& run);  // G11
 Outcome set_actual(BlockRun& run);  // G68
 
-/// F, S and T act at block start (FST-009, FST-011). errors: feed_above_limit
-Outcome execute_feed_speed_tool(BlockRun& run);
+/// F, S and T act at block start (FST-009, FST-011).
+void execute_feed_speed_tool(BlockRun& run);
 
 /// M03, M04, M08, M13, M14 act at block start, all others at block end (M-900).
 enum class Moment : std::uint8_t { block_start, block_end };

@@ -25,13 +25,12 @@ void change_tool(BlockRun& run, int number) {
 
 }  // namespace
 
-Outcome execute_feed_speed_tool(BlockRun& run) {
+void execute_feed_speed_tool(BlockRun& run) {
   using language::Address;
   if (const language::Word* feed = run.block.find(Address::F))
     run.state.modal.feed_mm_per_min = static_cast<int>(feed->number);
   if (const language::Word* speed = run.block.find(Address::S)) change_speed(run, static_cast<int>(speed->number));
   if (const language::Word* tool = run.block.find(Address::T)) change_tool(run, static_cast<int>(tool->number));
-  return {};
 }
 
 }  // namespace cnclab::program

@@ -25,6 +25,15 @@ Outcome check_executable(const ProgramSet& programs, const Settings& settings, c
   return outcome;
 }
 
+/// F, S, T and the M functions of the block's start; the function itself; the M functions of its end (M-900, FST-009).
+Outcome execute_words(BlockRun& run) {
+  execute_feed_speed_tool(run);
+  execute_m(run, Moment::block_start);
+  if (Outcome outcome = handler_of(run.block.function)(run); !outcome) return outcome;
+  execute_m(run, Moment::block_end);
+  return {};
+}
+
 }  // namespace
 
 std::unexpected<language::Error> error_at(language::ErrorCode code, geometry::SourceBlock source, char word,
@@ -91,54 +100,55 @@ std::expected<ExecutedBlock, language::Error> Interpreter::step(std::vector<geom
 std::expected<ExecutedBlock, language::Error> Interpreter::execute_block(std::vector<geometry::PathItem>& out) {
   const Frame& level = levels_.back();
   const language::Block& stored = level.program->blocks[level.next];
-  const geometry::SourceBlock source{.program = level.program->number, .block = stored.number};
-  if (stored.is_damaged) return error_at(language::ErrorCode::checksum_wrong, source, 0);
-  if (Outcome outcome = executable(stored, source, settings_.vocabulary); !outcome)
-    return std::unexpected(outcome.error());
+  ExecutedBlock executed;
+  executed.sequence = sequence_ + 1;
+  executed.source = {.program = level.program->number, .block = stored.number};
+  executed.depth = static_cast<int>(levels_.size()) - 1;
+  executed.main_program = levels_.front().program->number;
+  const bool is_hidden_subprogram = executed.depth > 0 && state_.modal.subprogram_blocks_hidden;
+  executed.is_shown = !state_.modal.blocks_hidden && !is_hidden_subprogram;
 
-  std::optional<language::Block> with_values;
-  if (has_parameters(stored)) with_values = read_parameters(stored, parameters_, state_, programs_);
-  const language::Block& block = with_values ? *with_values : stored;
-  if (Outcome outcome = check_words(block, source, state_.modal.plane, settings_); !outcome)
-    return std::unexpected(outcome.error());
-
-  const int depth = static_cast<int>(levels_.size()) - 1;
-  const bool is_hidden_subprogram = depth > 0 && state_.modal.subprogram_blocks_hidden;
-  const bool is_shown = !state_.modal.blocks_hidden && !is_hidden_subprogram;
-  const std::size_t items_before = out.size();
-  BlockRun run{.block = block,
-               .source = source,
+  const auto block = prepare(stored, executed.source);
+  if (!block) return std::unexpected(block.error());
+  BlockRun run{.block = *block ? **block : stored,
+               .source = executed.source,
                .settings = settings_,
                .programs = programs_,
                .levels = levels_,
-               .pattern = {.source = source,
-                           .sequence = sequence_ + 1,
+               .pattern = {.source = executed.source,
+                           .sequence = executed.sequence,
                            .passes_single_block = is_hidden_subprogram,
                            .override_off = state_.modal.potentiometer_off},
                .state = state_,
                .out = out,
                .flow = {}};
-  if (Outcome outcome = execute_feed_speed_tool(run); !outcome) return std::unexpected(outcome.error());
-  execute_m(run, Moment::block_start);
-  if (Outcome outcome = handler_of(block.function)(run); !outcome) return std::unexpected(outcome.error());
-  execute_m(run, Moment::block_end);
-  const std::uint16_t main_program = levels_.front().program->number;
+  const std::size_t items_before = out.size();
+  if (Outcome outcome = execute_words(run); !outcome) return std::unexpected(outcome.error());
   ended_ = go_on(run.flow);
   if (ended_) append_end(run);
   if (out.size() == items_before) run.emit(geometry::Mark{});
   out.back().ends_block = true;
 
-  ++sequence_;
+  sequence_ = executed.sequence;
   for (std::size_t axis = 0; axis < programmed_um_.size(); ++axis)
     programmed_um_[axis] = to_um(state_.programmed_nm[axis]);
-  return ExecutedBlock{.sequence = sequence_,
-                       .source = source,
-                       .depth = depth,
-                       .main_program = main_program,
-                       .is_shown = is_shown,
-                       .modal = state_.modal,
-                       .programmed_um = programmed_um_,
-                       .ended = ended_};
+  executed.modal = state_.modal;
+  executed.programmed_um = programmed_um_;
+  executed.ended = ended_;
+  return executed;
+}
+
+std::expected<std::optional<language::Block>, language::Error> Interpreter::prepare(
+    const language::Block& stored, geometry::SourceBlock source) const {
+  if (stored.is_damaged) return error_at(language::ErrorCode::checksum_wrong, source, 0);
+  if (Outcome outcome = executable(stored, source, settings_.vocabulary); !outcome)
+    return std::unexpected(outcome.error());
+  std::optional<language::Block> with_values;
+  if (has_parameters(stored)) with_values = read_parameters(stored, parameters_, state_, programs_);
+  if (Outcome outcome = check_words(with_values ? *with_values : stored, source, state_.modal.plane, settings_);
+      !outcome)
+    return std::unexpected(outcome.error());
+  return with_values;
 }
 
 bool Interpreter::go_on(const Flow& flow) {

@@ -111,6 +111,9 @@ class Interpreter {
   Interpreter(ProgramSet programs, Settings settings, const Start& start, InputReader inputs);
 
   std::expected<ExecutedBlock, language::Error> execute_block(std::vector<geometry::PathItem>& out);
+  /// The checks before a block acts; the block with its parameters read, or nothing where it has none.
+  std::expected<std::optional<language::Block>, language::Error> prepare(const language::Block& stored,
+                                                                         geometry::SourceBlock source) const;
   /// Moves on to the next block to execute; true when there is none.
   bool go_on(const Flow& flow);
   /// Leaves finished subprograms or runs them again (W); true when the main program has no further block.

@@ -23,9 +23,8 @@ void take_scale(const language::Block& block, ModalState& modal) {
   modal.scale = {factor(block, Address::X), factor(block, Address::Y), factor(block, Address::Z)};
 }
 
-void take_group(const language::Block& block, ModalState& modal) {
-  if (block.function.kind != language::Function::Kind::g) return;
-  switch (block.function.code) {
+void take_plane_or_dimension(int code, ModalState& modal) {
+  switch (code) {
     case 17:
       modal.plane = geometry::Plane::xy;
       break;
@@ -35,6 +34,19 @@ void take_group(const language::Block& block, ModalState& modal) {
     case 19:
       modal.plane = geometry::Plane::yz;
       break;
+    case 90:
+      modal.dimension = Dimension::absolute;
+      break;
+    case 91:
+      modal.dimension = Dimension::incremental;
+      break;
+    default:
+      break;  // another group, or none
+  }
+}
+
+void take_compensation(int code, ModalState& modal) {
+  switch (code) {
     case 40:
       modal.radius = RadiusCompensation::off;
       break;
@@ -56,22 +68,19 @@ void take_group(const language::Block& block, ModalState& modal) {
     case 46:
       modal.length_compensation = true;
       break;
-    case 74:
-      modal.scale_on = false;
-      modal.scale = {1000, 1000, 1000};
-      break;
-    case 75:
-      take_scale(block, modal);
-      break;
-    case 90:
-      modal.dimension = Dimension::absolute;
-      break;
-    case 91:
-      modal.dimension = Dimension::incremental;
-      break;
     default:
-      break;  // every other function leaves no group behind
+      break;  // another group, or none
   }
+}
+
+void take_group(const language::Block& block, ModalState& modal) {
+  if (block.function.kind != language::Function::Kind::g) return;
+  take_plane_or_dimension(block.function.code, modal);
+  take_compensation(block.function.code, modal);
+  if (block.function.code == 75) take_scale(block, modal);
+  if (block.function.code != 74) return;
+  modal.scale_on = false;
+  modal.scale = {1000, 1000, 1000};
 }
 
 void take_m(std::int64_t code, ModalState& modal) {
