@@ -1,6 +1,8 @@
 // Checks stored programs block by block, then by executing them on paper.
 #include "program/check_programs.hpp"
 
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -32,23 +34,18 @@ std::optional<std::uint16_t> known(const language::Block& block, Address address
   return static_cast<std::uint16_t>(word->number);
 }
 
-std::string padded(char letter, unsigned number, std::size_t digits) {
-  std::string text = std::to_string(number);
-  return letter + std::string(text.size() < digits ? digits - text.size() : 0, '0') + text;
-}
-
 Outcome check_target(const ProgramSet& programs, const language::Program& own, const language::Block& block,
                      geometry::SourceBlock source) {
   const auto number = names_program(block) ? known(block, Address::P) : std::optional(own.number);
   if (!number) return {};
-  const std::string name = padded('P', *number, 4);
+  const std::string name = fmt::format("P{:04}", *number);
   if (language::is_reserved_for_cycles(*number))
     return error_at(language::ErrorCode::reserved_for_cycles, source, 'P', name);
   const language::Program* program = *number == language::kToolTable ? nullptr : programs.find(*number);
   if (program == nullptr) return error_at(language::ErrorCode::program_missing, source, 'P', name);
   const auto target = known(block, Address::N);
   if (target && !program->find(*target))
-    return error_at(language::ErrorCode::block_missing, source, 'N', name + " " + padded('N', *target, 3));
+    return error_at(language::ErrorCode::block_missing, source, 'N', fmt::format("{} N{:03}", name, *target));
   return {};
 }
 

@@ -1,32 +1,25 @@
 // Jumps and calls: G20, G22 (G-200, G-220; D-57, D-58).
+#include <fmt/core.h>
+
 #include "program/words.hpp"
 
 namespace cnclab::program {
 
 namespace {
 
-std::string four_digits(std::int64_t number) {
-  std::string digits = std::to_string(number);
-  return "P" + std::string(digits.size() < 4 ? 4 - digits.size() : 0, '0') + digits;
-}
-
-std::string block_name(std::int64_t number) {
-  std::string digits = std::to_string(number);
-  return "N" + std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
-}
-
 /// Finds program and block of the words P and N and puts them into `run.flow`.
 Outcome find_target(BlockRun& run) {
   const std::int64_t number = value_of(run.block, language::Address::P, 0);
   const std::int64_t block = value_of(run.block, language::Address::N, 0);
   if (language::is_reserved_for_cycles(static_cast<int>(number)))  // DEC-64
-    return error_at(language::ErrorCode::reserved_for_cycles, run.source, 'P', four_digits(number));
+    return error_at(language::ErrorCode::reserved_for_cycles, run.source, 'P', fmt::format("P{:04}", number));
   const language::Program* program =
       number == language::kToolTable ? nullptr : run.programs.find(static_cast<std::uint16_t>(number));
-  if (program == nullptr) return error_at(language::ErrorCode::program_missing, run.source, 'P', four_digits(number));
+  if (program == nullptr)
+    return error_at(language::ErrorCode::program_missing, run.source, 'P', fmt::format("P{:04}", number));
   const std::optional<std::size_t> index = program->find(static_cast<std::uint16_t>(block));
   if (!index)
-    return error_at(language::ErrorCode::block_missing, run.source, 'N', four_digits(number) + " " + block_name(block));
+    return error_at(language::ErrorCode::block_missing, run.source, 'N', fmt::format("P{:04} N{:03}", number, block));
   run.flow.program = program;
   run.flow.index = *index;
   return {};
@@ -44,10 +37,11 @@ Outcome call(BlockRun& run) {
   // The main program may be called for a part of itself; a subprogram that has not returned yet may not.
   for (const Frame& level : run.levels.subspan(1))
     if (level.called->number == run.flow.program->number)
-      return error_at(language::ErrorCode::calls_itself, run.source, 'P', four_digits(run.flow.program->number));
+      return error_at(language::ErrorCode::calls_itself, run.source, 'P',
+                      fmt::format("P{:04}", run.flow.program->number));
   if (run.levels.size() > static_cast<std::size_t>(kDeepestCall))  // level 0 is the main program
-    return error_at(language::ErrorCode::nesting_too_deep, run.source, 'P', four_digits(run.flow.program->number),
-                    std::to_string(kDeepestCall));
+    return error_at(language::ErrorCode::nesting_too_deep, run.source, 'P',
+                    fmt::format("P{:04}", run.flow.program->number), std::to_string(kDeepestCall));
   run.flow.kind = Flow::Kind::call;
   run.flow.repeats = static_cast<int>(value_of(run.block, language::Address::W, 0));
   return {};

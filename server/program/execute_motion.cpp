@@ -1,10 +1,11 @@
 // Ways and arcs: G00, G01, G02, G03, G12 (G-000 to G-030, G-120; D-55, D-59, D-68, DEC-04, DEC-05, DEC-22).
 //
 //   word (µm) × factor (1/1000) = way or target (nm) ──▶ Sollwert (nm) ──▶ + offset of G68 ──▶ path (mm)
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "geometry/path_math.hpp"
 #include "program/words.hpp"
@@ -39,11 +40,7 @@ std::array<std::size_t, 2> plane_indices(geometry::Plane plane) {
   return {0, 1};
 }
 
-std::string in_mm(double value_mm) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.3f", value_mm);
-  return text.data();
-}
+std::string in_mm(double value_mm) { return fmt::format("{:.3f}", value_mm); }
 
 /// Where the block leads.
 struct Target {

@@ -1,6 +1,8 @@
 // The order of execution: one block per step, levels of calls, the end of the program.
 #include "program/interpreter.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
 #include "program/functions.hpp"
@@ -48,9 +50,8 @@ std::unexpected<language::Error> error_at(language::ErrorCode code, geometry::So
 
 std::unexpected<language::Error> feed_above_limit(geometry::SourceBlock source, std::int64_t feed,
                                                   const Settings& settings) {
-  std::string limit = std::to_string(std::llround(settings.f_max_mm_per_min));
-  if (limit.size() < 4) limit.insert(0, 4 - limit.size(), '0');
-  return error_at(language::ErrorCode::feed_above_limit, source, 'F', std::to_string(feed), "0001.." + limit);
+  return error_at(language::ErrorCode::feed_above_limit, source, 'F', std::to_string(feed),
+                  fmt::format("0001..{:04}", std::llround(settings.f_max_mm_per_min)));
 }
 
 std::expected<Interpreter, language::Error> Interpreter::begin(ProgramSet programs, Settings settings,
