@@ -1,0 +1,264 @@
+// The rules of control authority, and the table that says which rule holds in which phase.
+#include "lab/authority.hpp"
+
+#include <algorithm>
+
+namespace cnclab::lab {
+
+using machine::StopCause;
+
+namespace {
+
+/// The reason of AUTH-004 why the selector may not move now.
+Refuse busy(const MachineView& machine) {
+  if (machine.moving) return {"Die Achsen bewegen sich noch.", "The axes are still moving."};
+  if (machine.run_active) return {"Auf der Maschine läuft noch ein Programm.", "A program is still running."};
+  return {"Die Spindel dreht noch.", "The spindle is still turning."};
+}
+
+Refuse nobody_at(int station) {
+  const std::string number = std::to_string(station);
+  return {"An Platz " + number + " ist niemand angemeldet.", "Nobody is logged in at station " + number + "."};
+}
+
+}  // namespace
+
+const Authority::Table& Authority::table() {
+  using A = Authority;
+  // Columns: LoggedIn, LoggedOut, Select, ReleaseIt, Accept, Decline, Heard, HaltPressed, HaltCleared, PowerSwitched,
+  //          Polled
+  static const Table table{{
+      /* nobody   */ {&A::note_login, &A::leave, &A::select, &A::release_nothing, &A::ignore, &A::ignore, &A::ignore,
+                      &A::halt, &A::clear_halt, &A::switch_power, &A::ignore},
+      /* offered  */
+      {&A::note_login, &A::offer_withdrawn_by_leaving, &A::select, &A::withdraw_offer, &A::accept, &A::decline,
+       &A::ignore, &A::halt, &A::clear_halt, &A::switch_power, &A::expire_offer},
+      /* granted  */
+      {&A::note_login, &A::lease_lost_by_leaving, &A::select_another, &A::release_lease, &A::ignore, &A::ignore,
+       &A::hear, &A::halt, &A::clear_halt, &A::switch_power, &A::watch_silence},
+      /* stopping */
+      {&A::note_login, &A::leave, &A::select_next, &A::release_next, &A::ignore, &A::ignore, &A::ignore, &A::halt,
+       &A::clear_halt, &A::switch_power, &A::finish_stopping},
+  }};
+  return table;
+}
+
+Actions Authority::apply(const Event& event, const MachineView& machine, std::int64_t now_ns) {
+  Actions actions;
+  const Rule rule = table()[static_cast<std::size_t>(phase_)][event.index()];
+  (this->*rule)(Step{event, machine, now_ns, actions});
+  return actions;
+}
+
+// --- logins -----------------------------------------------------------------------------------------------------
+
+void Authority::note_login(const Step& step) {
+  const auto& in = std::get<LoggedIn>(step.event);
+  logins_[in.station] = in.login;
+}
+
+void Authority::leave(const Step& step) {
+  const LoginId gone = std::get<LoggedOut>(step.event).login;
+  if (next_station_ != 0 && login_at(next_station_) == gone) next_station_ = 0;
+  std::erase_if(logins_, [gone](const auto& seat) { return seat.second == gone; });
+}
+
+void Authority::offer_withdrawn_by_leaving(const Step& step) {
+  const auto& out = std::get<LoggedOut>(step.event);
+  leave(step);
+  if (out.login != login_) return;
+  journal(step, "offer_void", out.why, station_, Epoch{});
+  to_nobody();
+}
+
+void Authority::lease_lost_by_leaving(const Step& step) {
+  const auto& out = std::get<LoggedOut>(step.event);
+  leave(step);
+  if (out.login == login_) end_lease(StopCause::lease_ended, out.why, step);
+}
+
+// --- the selector -----------------------------------------------------------------------------------------------
+
+void Authority::select(const Step& step) {
+  const auto& wish = std::get<Select>(step.event);
+  const LoginId login = login_at(wish.station);
+  if (login == kNoLogin) {
+    journal(step, "refused", "nobody logged in", wish.station, Epoch{});
+    step.actions.emplace_back(nobody_at(wish.station));
+    return;
+  }
+  offer(wish.station, login, step);
+}
+
+void Authority::select_another(const Step& step) {
+  const auto& wish = std::get<Select>(step.event);
+  const std::string number = std::to_string(wish.station);
+  if (login_at(wish.station) == kNoLogin) {
+    journal(step, "refused", "nobody logged in", wish.station, Epoch{});
+    step.actions.emplace_back(nobody_at(wish.station));
+  } else if (wish.station == station_) {
+    step.actions.emplace_back(
+        Refuse{"Platz " + number + " hat die Maschine schon.", "Station " + number + " has the machine already."});
+  } else if (!wish.force && !step.machine.at_rest()) {
+    const Refuse reason = busy(step.machine);
+    journal(step, "refused", reason.english, wish.station, newest_);
+    step.actions.emplace_back(reason);
+  } else {
+    end_lease(StopCause::lease_ended, wish.force ? "selected by force" : "selected", step);
+    next_station_ = wish.station;
+  }
+}
+
+void Authority::select_next(const Step& step) {
+  const auto& wish = std::get<Select>(step.event);
+  if (login_at(wish.station) == kNoLogin)
+    step.actions.emplace_back(nobody_at(wish.station));
+  else
+    next_station_ = wish.station;
+}
+
+void Authority::release_nothing(const Step&) {}
+
+void Authority::withdraw_offer(const Step& step) {
+  journal(step, "offer_void", "released", station_, Epoch{});
+  to_nobody();
+}
+
+void Authority::release_lease(const Step& step) {
+  if (!std::get<ReleaseIt>(step.event).force && !step.machine.at_rest()) {
+    const Refuse reason = busy(step.machine);
+    journal(step, "refused", reason.english, station_, newest_);
+    step.actions.emplace_back(reason);
+    return;
+  }
+  end_lease(StopCause::lease_ended, "released", step);
+}
+
+void Authority::release_next(const Step&) { next_station_ = 0; }
+
+void Authority::accept(const Step& step) {
+  if (std::get<Accept>(step.event).login == login_) grant(step);
+}
+
+void Authority::decline(const Step& step) {
+  if (std::get<Decline>(step.event).login != login_) return;
+  journal(step, "declined", "", station_, Epoch{});
+  to_nobody();
+}
+
+void Authority::expire_offer(const Step& step) {
+  if (step.now_ns < offered_until_ns_) return;
+  journal(step, "offer_void", "not accepted in time", station_, Epoch{});
+  to_nobody();
+}
+
+// --- the lease --------------------------------------------------------------------------------------------------
+
+void Authority::hear(const Step& step) {
+  const auto& sign = std::get<Heard>(step.event);
+  if (sign.login != login_ || sign.beat_sent_ns <= last_beat_ns_) return;
+  last_beat_ns_ = std::min(sign.beat_sent_ns, step.now_ns);
+  if (!halted_) step.actions.emplace_back(Grant{newest_, expiry_ns(step.machine)});
+}
+
+void Authority::watch_silence(const Step& step) {
+  if (step.now_ns <= expiry_ns(step.machine)) return;
+  end_lease(StopCause::lease_expired, "station silent", step);
+}
+
+void Authority::finish_stopping(const Step& step) {
+  if (!step.machine.at_rest()) return;
+  step.actions.emplace_back(Connect{login_, false});
+  const int next = next_station_;
+  const LoginId next_login = next == 0 ? kNoLogin : login_at(next);
+  to_nobody();
+  if (next_login != kNoLogin) offer(next, next_login, step);
+}
+
+// --- halt and power ---------------------------------------------------------------------------------------------
+
+void Authority::halt(const Step& step) {
+  const auto& press = std::get<HaltPressed>(step.event);
+  // The stop acts every time; the latch keeps its first cause.
+  step.actions.emplace_back(Revoke{StopCause::machine_halt});
+  if (!halted_) {
+    halted_ = true;
+    halted_login_ = press.login;
+    halted_by_ = press.who;
+  }
+  journal(step, "halt", press.who, selected(), newest_);
+}
+
+void Authority::clear_halt(const Step& step) {
+  const LoginId login = std::get<HaltCleared>(step.event).login;
+  if (!halted_) return;
+  if (login != kNoLogin && login != halted_login_) {
+    step.actions.emplace_back(
+        Refuse{"MASCHINE HALT löst nur, wer gedrückt hat (" + halted_by_ + "), oder die Lehrkraft.",
+               "MASCHINE HALT is released by " + halted_by_ + " or the instructor only."});
+    return;
+  }
+  journal(step, "halt_cleared", halted_by_, selected(), newest_);
+  halted_ = false;
+  halted_login_ = kNoLogin;
+  halted_by_.clear();
+  if (phase_ == Phase::granted) step.actions.emplace_back(Grant{newest_, expiry_ns(step.machine)});
+}
+
+void Authority::switch_power(const Step& step) {
+  powered_ = std::get<PowerSwitched>(step.event).on;
+  step.actions.emplace_back(SwitchPower{powered_});
+  journal(step, powered_ ? "power_on" : "power_off", "", selected(), newest_);
+}
+
+void Authority::ignore(const Step&) {}
+
+// --- parts of rules ---------------------------------------------------------------------------------------------
+
+void Authority::offer(int station, LoginId login, const Step& step) {
+  if (phase_ == Phase::offered) journal(step, "offer_void", "another station selected", station_, Epoch{});
+  phase_ = Phase::offered;
+  station_ = station;
+  login_ = login;
+  next_station_ = 0;
+  offered_until_ns_ = step.now_ns + rules_.offer_ns;
+  journal(step, "offer", "", station, Epoch{});
+  if (!rules_.accept_needed) grant(step);
+}
+
+void Authority::grant(const Step& step) {
+  phase_ = Phase::granted;
+  newest_ = Epoch{static_cast<std::uint64_t>(newest_) + 1};
+  last_beat_ns_ = step.now_ns;
+  if (!halted_) step.actions.emplace_back(Grant{newest_, expiry_ns(step.machine)});
+  step.actions.emplace_back(Connect{login_, true});
+  journal(step, "grant", "", station_, newest_);
+}
+
+void Authority::end_lease(StopCause cause, const std::string& why, const Step& step) {
+  step.actions.emplace_back(Revoke{cause});
+  journal(step, "lease_ended", why, station_, newest_);
+  phase_ = Phase::stopping;
+}
+
+void Authority::to_nobody() {
+  phase_ = Phase::nobody;
+  station_ = 0;
+  login_ = kNoLogin;
+  next_station_ = 0;
+}
+
+LoginId Authority::login_at(int station) const {
+  const auto seat = logins_.find(station);
+  return seat == logins_.end() ? kNoLogin : seat->second;
+}
+
+std::int64_t Authority::expiry_ns(const MachineView& machine) const {
+  return last_beat_ns_ + (machine.manual_motion ? rules_.silence_manual_ns : rules_.silence_lease_ns);
+}
+
+void Authority::journal(const Step& step, std::string kind, std::string detail, int station, Epoch lease) {
+  step.actions.emplace_back(Journal{std::move(kind), std::move(detail), station, lease});
+}
+
+}  // namespace cnclab::lab

@@ -1,11 +1,18 @@
 // Who may move the machine: one table-driven state machine without I/O, clock or threads (AUTH-001 to AUTH-016).
 //
-//   nobody ──select──▶ offered ──accept──▶ granted ──release, loss, halt …──▶ stopping ──standstill──▶ nobody
+//   nobody ──select──▶ offered ──accept──▶ granted ──release, loss, force──▶ stopping ──standstill──▶ nobody
+//      ▲                  │                                                     │
+//      └─decline, time-out┘                         the next station waits here └──standstill──▶ offered
 //
-// Events go in with the time, actions come out; the lab carries them out. docs/architecture.md draws the whole table.
+// Events go in with the time, actions come out; the lab carries them out in their order. Rules that hold at all times:
+//  1. A lease exists only in `granted`, for exactly one login; its number is greater than all before.
+//  2. The way from one lease to the next leads through `stopping` and the machine's standstill.
+//  3. A halt is no phase of its own: it suspends the grant in the channel, whatever the phase, until it is cleared.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <variant>
 #include <vector>
@@ -16,6 +23,7 @@ namespace cnclab::lab {
 
 /// One login at one station over one connection; a new one for each (AUTH-002). 0 is none.
 enum class LoginId : std::uint64_t {};
+inline constexpr LoginId kNoLogin{0};
 
 using machine::Epoch;
 
@@ -23,71 +31,168 @@ enum class Phase : std::uint8_t {
   nobody,    ///< selector 0
   offered,   ///< a station has been asked and has 30 s for START (AUTH-005)
   granted,   ///< a lease exists
-  stopping,  ///< a lease has ended or is taken; the next phase comes after standstill
+  stopping,  ///< a lease has ended; the next phase comes after standstill
 };
+inline constexpr std::size_t kPhases = 4;
 
 /// What the machine is doing, as far as authority cares (AUTH-004).
 struct MachineView {
   bool moving = false;
   bool run_active = false;
   bool spindle_on = false;
-  bool powered = true;
+  bool manual_motion = false;  ///< axes follow the operator's hand: silence is judged more strictly (AUTH-007)
   [[nodiscard]] bool at_rest() const { return !moving && !run_active && !spindle_on; }
 };
 
 // Events
-struct LoggedIn { int station = 0; LoginId login{}; };
-struct LoggedOut { LoginId login{}; std::string why; };     ///< log-out, take-over, expulsion, closed connection
-struct Select { int station = 0; bool force = false; };
-struct ReleaseIt { bool force = false; };
-struct Accept { LoginId login{}; };                          ///< START while offered
-struct Decline { LoginId login{}; };                         ///< STOP while offered
-struct Heard { LoginId login{}; std::int64_t beat_sent_ns = 0; };  ///< a key or sign of life with the beat it answers
-struct HaltPressed { LoginId login{}; std::string who; bool by_instructor = false; };
-struct HaltCleared { LoginId login{}; bool by_instructor = false; };
-struct PowerSwitched { bool on = false; };
-struct Polled { MachineView machine; bool manual_motion = false; };  ///< the time passed; the machine as it is
+struct LoggedIn {
+  int station = 0;
+  LoginId login{};
+};
+struct LoggedOut {
+  LoginId login{};
+  std::string why;
+};  ///< log-out, take-over, expulsion, closed connection
+struct Select {
+  int station = 0;
+  bool force = false;
+};
+struct ReleaseIt {
+  bool force = false;
+};
+struct Accept {
+  LoginId login{};
+};  ///< START while offered
+struct Decline {
+  LoginId login{};
+};  ///< STOP while offered
+struct Heard {
+  LoginId login{};
+  std::int64_t beat_sent_ns = 0;
+};  ///< a sign of life and the beat that it answers
+struct HaltPressed {
+  LoginId login{};
+  std::string who;
+};  ///< kNoLogin: the instructor
+struct HaltCleared {
+  LoginId login{};
+};  ///< kNoLogin: the instructor
+struct PowerSwitched {
+  bool on = false;
+};
+struct Polled {};  ///< time passed
 using Event = std::variant<LoggedIn, LoggedOut, Select, ReleaseIt, Accept, Decline, Heard, HaltPressed, HaltCleared,
                            PowerSwitched, Polled>;
+inline constexpr std::size_t kEvents = std::variant_size_v<Event>;
 
 // Actions
-struct Grant { int station = 0; LoginId login{}; Epoch epoch{}; std::int64_t expiry_ns = 0; };
-struct Renew { Epoch epoch{}; std::int64_t expiry_ns = 0; };
-struct Revoke { machine::StopCause cause{}; };               ///< ramp stop, spindle off, run abandoned
-struct Connect { LoginId login{}; bool to_lab_machine = false; };  ///< the control's connection changes now
-struct StopMachine { machine::StopCause cause{}; };          ///< also without a lease (halt)
-struct SwitchPower { bool on = false; };
-struct Refuse { std::string reason_de, reason_en; };
-struct Journal { std::string kind, detail; int station = 0; Epoch lease{}; };  ///< AUTH-015
-using Action = std::variant<Grant, Renew, Revoke, Connect, StopMachine, SwitchPower, Refuse, Journal>;
+struct Grant {
+  Epoch epoch{};
+  std::int64_t expiry_ns = 0;
+};  ///< to the channel: new, renewed or resumed
+struct Revoke {
+  machine::StopCause cause{};
+};  ///< ramp stop, spindle off, run abandoned
+struct Connect {
+  LoginId login{};
+  bool to_lab_machine = false;
+};  ///< the control's connection changes now
+struct SwitchPower {
+  bool on = false;
+};
+struct Refuse {
+  std::string german, english;
+};
+struct Journal {
+  std::string kind, detail;
+  int station = 0;
+  Epoch lease{};
+};  ///< AUTH-015
+using Action = std::variant<Grant, Revoke, Connect, SwitchPower, Refuse, Journal>;
+using Actions = std::vector<Action>;
 
 struct AuthorityRules {
-  bool accept_needed = true;                             ///< [lab] accept
+  bool accept_needed = true;  ///< [lab] accept
   std::int64_t offer_ns = 30'000'000'000;
-  std::int64_t silence_manual_ns = 300'000'000;          ///< AUTH-007
+  std::int64_t silence_manual_ns = 300'000'000;  ///< AUTH-007
   std::int64_t silence_lease_ns = 1'000'000'000;
 };
 
 class Authority {
  public:
-  /// epoch    the greatest that was ever granted (kept in the database; it only grows)
-  Authority(const AuthorityRules& rules, Epoch newest);
+  /// newest    the greatest number that was ever granted (kept in the database; it only grows)
+  Authority(const AuthorityRules& rules, Epoch newest) : rules_(rules), newest_(newest) {}
 
-  /// One event at a time; the actions are to be carried out in their order.
-  [[nodiscard]] std::vector<Action> apply(const Event& event, std::int64_t now_ns);
+  /// One event at a time, with the machine as it is now.
+  [[nodiscard]] Actions apply(const Event& event, const MachineView& machine, std::int64_t now_ns);
 
-  [[nodiscard]] Phase phase() const;
-  [[nodiscard]] int selected() const;      ///< station with a lease, 0 nobody
-  [[nodiscard]] int offered() const;       ///< station that was asked, 0 none
-  [[nodiscard]] LoginId holder() const;
-  [[nodiscard]] LoginId asked() const;
-  [[nodiscard]] Epoch newest() const;
-  [[nodiscard]] bool is_halted() const;
-  [[nodiscard]] const std::string& halted_by() const;
+  [[nodiscard]] Phase phase() const { return phase_; }
+  [[nodiscard]] int selected() const { return phase_ == Phase::granted ? station_ : 0; }  ///< 0 nobody
+  [[nodiscard]] int offered() const { return phase_ == Phase::offered ? station_ : 0; }   ///< 0 none
+  [[nodiscard]] LoginId holder() const { return phase_ == Phase::granted ? login_ : kNoLogin; }
+  [[nodiscard]] LoginId asked() const { return phase_ == Phase::offered ? login_ : kNoLogin; }
+  [[nodiscard]] Epoch newest() const { return newest_; }
+  [[nodiscard]] bool is_halted() const { return halted_; }
+  [[nodiscard]] LoginId halted_by_login() const { return halted_login_; }
+  [[nodiscard]] const std::string& halted_by() const { return halted_by_; }
+  [[nodiscard]] bool is_powered() const { return powered_; }
 
  private:
+  /// One event being handled.
+  struct Step {
+    const Event& event;
+    const MachineView& machine;
+    std::int64_t now_ns;
+    Actions& actions;
+  };
+  using Rule = void (Authority::*)(const Step&);
+  using Table = std::array<std::array<Rule, kEvents>, kPhases>;
+  static const Table& table();
+
+  // The rules, named by what happens; which holds when stands in the table alone.
+  void note_login(const Step& step);
+  void leave(const Step& step);
+  void offer_withdrawn_by_leaving(const Step& step);
+  void lease_lost_by_leaving(const Step& step);
+  void select(const Step& step);
+  void select_another(const Step& step);
+  void select_next(const Step& step);
+  void release_nothing(const Step& step);
+  void withdraw_offer(const Step& step);
+  void release_lease(const Step& step);
+  void release_next(const Step& step);
+  void accept(const Step& step);
+  void decline(const Step& step);
+  void hear(const Step& step);
+  void halt(const Step& step);
+  void clear_halt(const Step& step);
+  void switch_power(const Step& step);
+  void expire_offer(const Step& step);
+  void watch_silence(const Step& step);
+  void finish_stopping(const Step& step);
+  void ignore(const Step& step);
+
+  void offer(int station, LoginId login, const Step& step);
+  void grant(const Step& step);
+  void end_lease(machine::StopCause cause, const std::string& why, const Step& step);
+  void to_nobody();
+  [[nodiscard]] LoginId login_at(int station) const;
+  [[nodiscard]] std::int64_t expiry_ns(const MachineView& machine) const;
+  static void journal(const Step& step, std::string kind, std::string detail, int station, Epoch lease);
+
   AuthorityRules rules_;
-  Epoch newest_;
+  Phase phase_ = Phase::nobody;
+  int station_ = 0;  ///< asked, holding, or the one whose lease is ending
+  LoginId login_ = kNoLogin;
+  int next_station_ = 0;  ///< to be asked after standstill, 0 none
+  Epoch newest_{};
+  std::int64_t offered_until_ns_ = 0;
+  std::int64_t last_beat_ns_ = 0;  ///< when the newest beat that the holder answered was sent
+  std::map<int, LoginId> logins_;
+  bool halted_ = false;
+  LoginId halted_login_ = kNoLogin;
+  std::string halted_by_;
+  bool powered_ = true;
 };
 
 }  // namespace cnclab::lab

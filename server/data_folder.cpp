@@ -1,0 +1,140 @@
+// What lies in the data folder and what is made there at the first start.
+#include "data_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <chrono>
+
+#include "lab/passwords.hpp"
+#include "lab/stored_control.hpp"
+
+namespace cnclab {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kDatabase = "cnclab.db";
+constexpr const char* kInstructor = "lehrer";
+
+std::int64_t unix_ms() {
+  using namespace std::chrono;
+  return duration_cast<milliseconds>(system_clock::now().time_since_epoch()).count();
+}
+
+/// One server per folder: the lock lasts as long as the process.
+std::expected<void, std::string> lock_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    return std::unexpected("cannot make the data folder " + folder.string() + ": " + error.message() +
+                           ". Choose another with --data DIR");
+  fs::permissions(folder, fs::perms::owner_all,
+                  error);  // passwords and keys are inside; on a foreign folder it is as it is
+  const fs::path file = folder / "lock";
+  const int handle = open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (handle < 0)
+    return std::unexpected("cannot write to the data folder " + folder.string() + ": " +
+                           std::error_code(errno, std::generic_category()).message() +
+                           ". Choose another with --data DIR, or give this user the right to write there");
+  if (flock(handle, LOCK_EX | LOCK_NB) != 0) {
+    close(handle);
+    return std::unexpected("the data folder " + folder.string() +
+                           " is in use by another server: stop it first, or choose another folder with --data DIR");
+  }
+  return {};
+}
+
+std::expected<db::Database, std::string> open_database(const fs::path& folder) {
+  if (const auto locked = lock_folder(folder); !locked) return std::unexpected(locked.error());
+  auto database = db::Database::open(folder / kDatabase);
+  if (!database) return std::unexpected(database.error().text);
+  return std::move(*database);
+}
+
+std::expected<Certificate, std::string> certificate_of(db::Database& database) {
+  const auto certificate = database.value("certificate");
+  const auto key = database.value("private_key");
+  if (certificate && key) return Certificate{*certificate, *key};
+  auto made = make_certificate();
+  if (!made) return std::unexpected("cannot make the server's certificate: " + made.error());
+  database.transaction([&] {
+    database.put_value("certificate", made->certificate_pem);
+    database.put_value("private_key", made->key_pem);
+  });
+  return *made;
+}
+
+std::uint64_t number_of(const std::optional<std::string>& text) {
+  std::uint64_t number = 0;
+  if (text) std::from_chars(text->data(), text->data() + text->size(), number);
+  return number;
+}
+
+std::optional<std::string> make_first_instructor(db::Database& database) {
+  if (!database.people(true).empty()) return std::nullopt;
+  const std::string password = lab::one_time_password();
+  db::Person person;
+  person.name = kInstructor;
+  person.role = "instructor";
+  person.password_hash = lab::hash_password(password);
+  person.must_change = true;
+  database.add_person(person, unix_ms());
+  return password;
+}
+
+}  // namespace
+
+std::expected<DataFolder, std::string> open_data_folder(const fs::path& folder) {
+  auto database = open_database(folder);
+  if (!database) return std::unexpected(database.error());
+  auto certificate = certificate_of(*database);
+  if (!certificate) return std::unexpected(certificate.error());
+  lab::Inheritance inheritance;
+  inheritance.newest_epoch = lab::Epoch{number_of(database->value("epoch"))};
+  inheritance.machine_data = lab::machine_data_of(database->machine_data(db::kLabMachine));
+  auto first_password = make_first_instructor(*database);
+  return DataFolder{std::move(*database), *certificate, inheritance, std::move(first_password)};
+}
+
+std::expected<std::string, std::string> renew_instructor_password(const fs::path& folder) {
+  auto database = open_database(folder);
+  if (!database) return std::unexpected(database.error());
+  auto person = database->person(kInstructor);
+  if (!person)
+    return std::unexpected("there is no instructor 'lehrer' in " + folder.string() +
+                           ": start the server once with an empty data folder");
+  const std::string password = lab::one_time_password();
+  database->unarchive(person->id);
+  database->set_password(person->id, lab::hash_password(password), true);
+  return password;
+}
+
+std::expected<std::string, std::string> restore_backup(const fs::path& folder, const fs::path& backup) {
+  if (const auto locked = lock_folder(folder); !locked) return std::unexpected(locked.error());
+  std::error_code error;
+  const fs::path incoming = folder / "restore.db";
+  fs::copy_file(backup, incoming, fs::copy_options::overwrite_existing, error);
+  if (error) return std::unexpected("cannot copy " + backup.string() + ": " + error.message());
+  if (auto opened = db::Database::open(incoming); !opened) {
+    const std::string reason = opened.error().text;
+    fs::remove(incoming, error);
+    return std::unexpected("the backup is not usable: " + reason);
+  }
+  const fs::path target = folder / kDatabase;
+  const std::string stamp = std::to_string(unix_ms() / 1000);
+  for (const char* tail : {"", "-wal", "-shm"}) {
+    const fs::path old = target.string() + tail;
+    if (fs::exists(old)) fs::rename(old, folder / ("replaced-" + stamp + ".db" + tail), error);
+    if (error) return std::unexpected("cannot keep " + old.string() + " aside: " + error.message());
+    fs::remove(incoming.string() + (*tail == '\0' ? ".none" : tail), error);
+  }
+  fs::rename(incoming, target, error);
+  if (error) return std::unexpected("cannot put the backup in place: " + error.message());
+  return "restored " + backup.string() + "; the former database is kept as replaced-" + stamp + ".db";
+}
+
+}  // namespace cnclab

@@ -1,0 +1,43 @@
+// The computer's clocks and how times are written.
+#include "lab/clock.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <chrono>
+#include <ctime>
+
+namespace cnclab::lab {
+
+namespace {
+
+std::tm local_time(std::int64_t unix_ms) {
+  const std::time_t seconds = unix_ms / 1000;
+  std::tm result{};
+  localtime_r(&seconds, &result);
+  return result;
+}
+
+}  // namespace
+
+Clock system_clock() {
+  using namespace std::chrono;
+  return {
+      [] { return duration_cast<nanoseconds>(steady_clock::now().time_since_epoch()).count(); },
+      [] { return duration_cast<milliseconds>(std::chrono::system_clock::now().time_since_epoch()).count(); },
+  };
+}
+
+panel::WallClock wall_clock(std::int64_t unix_ms) {
+  const std::tm time = local_time(unix_ms);
+  return {time.tm_hour, time.tm_min, time.tm_sec, time.tm_mday, time.tm_mon + 1, time.tm_year % 100};
+}
+
+std::string iso_time(std::int64_t unix_ms) {
+  const std::tm time = local_time(unix_ms);
+  std::string zone = fmt::format("{:%z}", time);
+  if (zone.size() == 5) zone.insert(3, ":");
+  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}{}", time, unix_ms % 1000, zone);
+}
+
+}  // namespace cnclab::lab

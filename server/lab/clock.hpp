@@ -1,0 +1,25 @@
+// Time as the lab is given it; tests hand in their own.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "panel/control.hpp"
+
+namespace cnclab::lab {
+
+struct Clock {
+  std::function<std::int64_t()> monotonic_ns;
+  std::function<std::int64_t()> unix_ms;
+};
+
+/// The clocks of this computer.
+[[nodiscard]] Clock system_clock();
+
+/// The server's local time for the header line (DEC-10).
+[[nodiscard]] panel::WallClock wall_clock(std::int64_t unix_ms);
+/// "2026-11-22T10:15:00.123+01:00", local time, for the journal.
+[[nodiscard]] std::string iso_time(std::int64_t unix_ms);
+
+}  // namespace cnclab::lab

@@ -1,0 +1,80 @@
+// The instructor's requests and their answers (INS-005, interfaces.md section 4).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "cnclab/v1/bulk.pb.h"
+#include "cnclab/v1/instructor.pb.h"
+#include "lab/lab.hpp"
+
+namespace cnclab::lab {
+
+/// Works on the lab for the length of one message; answers that need the store come later, through the lab's thread.
+class Console {
+ public:
+  explicit Console(Lab& lab) : lab_(lab) {}
+
+  /// Only instructors are answered (SEC-004); everything else is an error in the answer.
+  void answer(const std::shared_ptr<Visit>& visit, const v1::InstructorRequest& request);
+  void continue_transfer(const std::shared_ptr<Visit>& visit, const v1::ChunkAck& ack);
+
+ private:
+  /// Where an answer goes: the visit and the request's number.
+  struct Reply {
+    std::shared_ptr<Visit> visit;
+    std::uint64_t number = 0;
+    language::Tongue tongue{};
+  };
+  using Items = std::vector<v1::InstructorItem>;
+
+  void send(const Reply& reply, const Items& items) const;
+  void send_error(const Reply& reply, const std::string& error) const;
+  void send_done(const Reply& reply, const std::string& detail = {}) const;
+  void send_file(const Reply& reply, std::string content) const;
+  /// Runs a job on the store; `then` gets its result on the lab thread, errors go to the console.
+  template <class Job, class Then>
+  void ask_store(const Reply& reply, Job job, Then then) const;
+
+  // console_machine.cpp
+  void status(const Reply& reply) const;
+  void decided(const Reply& reply, const Event& event) const;
+  void input(const Reply& reply, const v1::SetInput& request) const;
+  void machine_data(const Reply& reply, const v1::ChangeMachineData& request) const;
+  void message(const Reply& reply, const v1::SendMessage& request) const;
+  void expel(const Reply& reply, const v1::StationOnly& request) const;
+  void runs(const Reply& reply, const v1::StudentName& request) const;
+  void run_trace(const Reply& reply, const v1::RunName& request) const;
+  void journal(const Reply& reply, const v1::JournalQuery& request) const;
+
+  // console_roster.cpp
+  void passwd(const Reply& reply, const v1::NewPassword& request) const;
+  void students(const Reply& reply) const;
+  void student_add(const Reply& reply, const v1::StudentAdd& request) const;
+  void student_remove(const Reply& reply, const v1::StudentName& request) const;
+  void student_restore(const Reply& reply, const v1::StudentName& request) const;
+  void student_rename(const Reply& reply, const v1::StudentRename& request) const;
+  void student_password(const Reply& reply, const v1::StudentName& request) const;
+  void with_hash(const Reply& reply, const std::string& password, std::function<void(std::string)> then) const;
+
+  // console_programs.cpp
+  void programs(const Reply& reply, const v1::StudentName& request) const;
+  void program_show(const Reply& reply, const v1::ProgramName& request) const;
+  void program_versions(const Reply& reply, const v1::ProgramName& request) const;
+  void program_send(const Reply& reply, const v1::ProgramSend& request) const;
+  void reload(db::PersonId person) const;
+
+  Lab& lab_;
+};
+
+/// A refusal in the user's words, thrown inside a store job to end it without effect.
+struct Refusal {
+  std::string german, english;
+};
+
+[[nodiscard]] v1::InstructorItem done_item(const std::string& detail);
+
+}  // namespace cnclab::lab

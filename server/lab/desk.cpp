@@ -1,0 +1,42 @@
+// A person's place: made at login, gone at log-out.
+#include "lab/desk.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+namespace cnclab::lab {
+
+namespace {
+/// A training machine has one user: its grant is made once and never ends while the desk lives.
+constexpr machine::Epoch kTrainingEpoch{1};
+}  // namespace
+
+Desk::Desk(db::Person who, panel::Settings settings, panel::Memory memory, const machine::MachineData& data,
+           machine::TickThread& ticks)
+    : person(std::move(who)),
+      control(std::move(settings), std::move(memory), data),
+      ticks_(ticks),
+      machine_(data),
+      training_(std::make_shared<machine::Channel>(machine_, data)) {
+  training_->grant(kTrainingEpoch, machine::kNeverExpires);
+  if (!ticks_.add(training_)) throw std::runtime_error("every place at the tick is taken");
+  connect_training();
+}
+
+Desk::~Desk() { ticks_.remove(training_); }
+
+void Desk::connect_training() {
+  on_lab_machine = false;
+  control.connect({training_, kTrainingEpoch, false, {}});
+  is_dirty = true;
+}
+
+void Desk::stop_training() { training_->stop(machine::StopCause::operator_stop); }
+
+std::uint64_t Desk::handled() const {
+  if (storing && *storing > 0) return *storing - 1;
+  if (!waiting.empty()) return waiting.front().number - 1;
+  return received;
+}
+
+}  // namespace cnclab::lab

@@ -1,0 +1,83 @@
+// One logged-in person's place: the control, its training machine, the keys that wait, the connection that looks at it.
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cnclab/v1/keys.pb.h"
+#include "db/types.hpp"
+#include "lab/authority.hpp"
+#include "machine/channel.hpp"
+#include "machine/simulated_machine.hpp"
+#include "machine/tick_thread.hpp"
+#include "panel/control.hpp"
+
+namespace cnclab::lab {
+
+struct Visit;
+
+/// A key or a turn of the potentiometer on its way to the control.
+struct Input {
+  std::uint64_t number = 0;
+  std::vector<Key> keys;  ///< empty: potentiometer
+  bool pressed = true;
+  bool is_repeat = false;
+  int percent = 0;
+  std::uint64_t beat = 0, state = 0;  ///< what the station had seen (AUTH-008)
+};
+
+/// A control lives here from login until log-out, or `keep_minutes` after its line broke (SEAT-004).
+struct Desk {
+  /// Takes part in the tick from now on; throws std::runtime_error when the tick has no place left.
+  Desk(db::Person person, panel::Settings settings, panel::Memory memory, const machine::MachineData& data,
+       machine::TickThread& ticks);
+  ~Desk();
+  Desk(const Desk&) = delete;
+  Desk& operator=(const Desk&) = delete;
+
+  /// Connects the control to its own training machine.
+  void connect_training();
+  /// Training runs stop when the connection ends.
+  void stop_training();
+
+  [[nodiscard]] bool is_seated() const { return !visit.expired(); }
+  [[nodiscard]] const std::shared_ptr<machine::Channel>& training() const { return training_; }
+
+  db::Person person;
+  int station = 0;
+  LoginId login{};
+  std::weak_ptr<Visit> visit;  ///< the connection that types; empty while the line is broken
+  std::string ticket;
+  std::int64_t keep_until_ns = 0;  ///< while the line is broken
+  panel::Control control;
+  bool on_lab_machine = false;
+
+  std::deque<Input> waiting;                ///< keys that came while something was being stored
+  std::uint64_t received = 0;               ///< number of the last input that came
+  std::optional<std::uint64_t> storing;     ///< number of the input whose store is on its way
+  bool ignore_start_until_release = false;  ///< the START that accepted an offer (AUTH-005)
+  bool labor_open = false;                  ///< the lab's menu is shown (key LABOR)
+  std::uint64_t state = 1;                  ///< number of the situation below (AUTH-008)
+  panel::Situation situation;
+  bool situation_on_lab = false;
+  std::string notice;  ///< the lab's own sentence for row 18
+  std::int64_t notice_until_ns = 0;
+  std::string last_key;
+  std::int64_t last_drawn_ns = 0, last_saved_ns = 0;
+  std::string saved_state;
+  bool is_dirty = true;  ///< the screen is to be drawn
+
+  /// Every input up to this number has had its effect.
+  [[nodiscard]] std::uint64_t handled() const;
+
+ private:
+  machine::TickThread& ticks_;
+  machine::SimulatedMachine machine_;
+  std::shared_ptr<machine::Channel> training_;
+};
+
+}  // namespace cnclab::lab

@@ -1,0 +1,202 @@
+// Connections come, speak and go; the time passes.
+#include "lab/lab.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "cnclab/v1/envelope.pb.h"
+#include "lab/console.hpp"
+#include "shared/frame.hpp"
+
+namespace cnclab::lab {
+
+namespace {
+
+constexpr std::int64_t kSecond_ns = 1'000'000'000;
+constexpr std::int64_t kLoginDeadline_ns = 10 * kSecond_ns;  ///< SEC-005
+constexpr std::int64_t kSilence_ns = 5 * kSecond_ns;         ///< SEAT-004
+constexpr std::size_t kMostUnknown = 64;                     ///< connections that are not logged in (SEC-005)
+
+AuthorityRules rules_of(const Configuration& configuration) {
+  AuthorityRules rules;
+  rules.accept_needed = configuration.accept;
+  rules.silence_manual_ns = configuration.silence_manual_ms * 1'000'000LL;
+  rules.silence_lease_ns = configuration.silence_lease_ms * 1'000'000LL;
+  return rules;
+}
+
+}  // namespace
+
+Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& ticks, db::Post post, Clock clock,
+         const Inheritance& inheritance)
+    : configuration_(std::move(configuration)),
+      store_(store),
+      ticks_(ticks),
+      post_(std::move(post)),
+      clock_(std::move(clock)),
+      passwords_(post_),
+      authority_(rules_of(configuration_), inheritance.newest_epoch),
+      kept_epoch_(static_cast<std::uint64_t>(inheritance.newest_epoch)),
+      machine_data_(inheritance.machine_data),
+      machine_(machine_data_),
+      channel_(std::make_shared<machine::Channel>(machine_, machine_data_)),
+      recorder_(store, channel_) {
+  if (!ticks_.add(channel_)) throw std::runtime_error("the tick has no place for the lab's machine");
+  keep_epoch();
+  write_journal("server_start", "nobody has control, position unreferenced");  // AUTH-012
+}
+
+Lab::~Lab() {
+  *alive_ = false;
+  desks_.clear();
+  ticks_.remove(channel_);
+}
+
+std::shared_ptr<Visit> Lab::welcome(std::shared_ptr<Peer> peer) {
+  auto visit = std::make_shared<Visit>(std::move(peer), clock_.monotonic_ns());
+  const auto unknown = std::ranges::count_if(visits_, [](const auto& other) { return !other->is_logged_in(); });
+  visits_.push_back(visit);
+  if (static_cast<std::size_t>(unknown) >= kMostUnknown) hang_up(visit, "too many connections that are not logged in");
+  return visit;
+}
+
+void Lab::receive(const VisitPtr& visit, const v1::ClientMessage& message) {
+  if (visit->stage == Stage::gone) return;
+  visit->heard_ns = clock_.monotonic_ns();
+  if (!visit->is_logged_in()) return greet(visit, message);
+  switch (message.what_case()) {
+    case v1::ClientMessage::kKey:
+      return take_key(visit, message.key());
+    case v1::ClientMessage::kPotentiometer:
+      return take_potentiometer(visit, message.potentiometer());
+    case v1::ClientMessage::kScreenAck:
+      if (!visit->feed.acknowledge(message.screen_ack().number())) return hang_up(visit, "unknown screen acknowledged");
+      return push(visit);
+    case v1::ClientMessage::kAlive:
+      if (visit->desk) heard(*visit->desk, message.alive().beat());
+      return;
+    case v1::ClientMessage::kLogout:
+      return log_out(visit, "log-out");
+    case v1::ClientMessage::kRequest:
+      return Console(*this).answer(visit, message.request());
+    case v1::ClientMessage::kChunkAck:
+      return Console(*this).continue_transfer(visit, message.chunk_ack());
+    case v1::ClientMessage::kChangePassword:
+      return change_password(visit, message.change_password());
+    case v1::ClientMessage::kHello:
+    case v1::ClientMessage::kLogin:
+    case v1::ClientMessage::kResume:
+    case v1::ClientMessage::kChunk:
+    case v1::ClientMessage::WHAT_NOT_SET:
+      return hang_up(visit, "message out of order");
+  }
+}
+
+void Lab::lost(const VisitPtr& visit) {
+  if (visit->stage == Stage::at_desk) vacate(visit, "line lost");
+  visit->stage = Stage::gone;
+  std::erase(visits_, visit);
+}
+
+void Lab::hang_up(const VisitPtr& visit, const std::string& reason) {
+  spdlog::info("{}: connection ended: {}", visit->peer->address(), reason);
+  if (visit->stage == Stage::at_desk) vacate(visit, reason);
+  visit->stage = Stage::gone;
+  visit->peer->hang_up(reason);
+  std::erase(visits_, visit);
+}
+
+void Lab::farewell(const VisitPtr& visit, int exit_code, const std::string& text) {
+  v1::ServerMessage message;
+  message.mutable_bye()->set_exit_code(static_cast<std::uint32_t>(exit_code));
+  message.mutable_bye()->set_text(text);
+  visit->peer->send(message);
+  hang_up(visit, text);
+}
+
+void Lab::poll() {
+  const std::int64_t now_ns = clock_.monotonic_ns();
+  send_beats(now_ns);
+  static_cast<void>(decide(Polled{}, configuration_.tongue));
+  const panel::Now time = now();
+  const std::vector<DeskPtr> desks = [this] {
+    std::vector<DeskPtr> all;
+    for (const auto& [id, desk] : desks_) all.push_back(desk);
+    return all;
+  }();
+  for (const DeskPtr& desk : desks) {
+    desk->control.poll(time);
+    if (!desk->is_seated() && now_ns >= desk->keep_until_ns) dismiss(desk);
+    if (now_ns - desk->last_saved_ns >= 10 * kSecond_ns) save_state(desk);
+  }
+  record_run();
+  draw_due(now_ns);
+  watch_connections(now_ns);
+  if (now_ns - journal_flushed_ns_ >= kSecond_ns / 5) flush_journal();
+}
+
+void Lab::watch_connections(std::int64_t now_ns) {
+  const std::vector<VisitPtr> visits = visits_;
+  for (const VisitPtr& visit : visits) {
+    if (!visit->is_logged_in() && now_ns - visit->opened_ns > kLoginDeadline_ns &&
+        now_ns - visit->heard_ns > kLoginDeadline_ns)
+      hang_up(visit, "no login in time");
+    else if (visit->is_logged_in() && now_ns - visit->heard_ns > kSilence_ns)
+      hang_up(visit, "silent for 5 s");
+  }
+}
+
+void Lab::send_beats(std::int64_t now_ns) {
+  if (!beats_.advance(now_ns)) return;
+  v1::ServerMessage message;
+  message.mutable_beat()->set_number(beats_.number());
+  for (const VisitPtr& visit : visits_) {
+    const bool has_lease = visit->desk && visit->desk->login == authority_.holder();
+    if (!visit->is_logged_in() || (!has_lease && now_ns - visit->last_beat_ns < kSecond_ns)) continue;
+    visit->last_beat_ns = now_ns;
+    visit->peer->send(message);
+  }
+}
+
+void Lab::release_machine() { static_cast<void>(decide(ReleaseIt{true}, configuration_.tongue)); }
+
+void Lab::close() {
+  write_journal("server_end", "");
+  const std::vector<VisitPtr> visits = visits_;
+  for (const VisitPtr& visit : visits) {
+    if (visit->desk) save_state(visit->desk);
+    farewell(visit, 10, say(tongue_of(visit->person), "Der Server wird beendet.", "The server is shutting down."));
+  }
+  recorder_.end("server_end");
+  flush_journal();
+}
+
+bool Lab::at_rest() const { return machine_view().at_rest(); }
+
+void Lab::write_journal(std::string kind, std::string detail, int station, std::string person, Epoch lease) {
+  journal_.push_back({clock_.unix_ms(), station, std::move(person), std::move(kind), std::move(detail),
+                      static_cast<std::uint64_t>(lease)});
+}
+
+void Lab::flush_journal() {
+  journal_flushed_ns_ = clock_.monotonic_ns();
+  if (journal_.empty()) return;
+  store_.run([entries = std::move(journal_)](db::Database& database) { database.add_journal(entries); },
+             [](const std::expected<void, db::StoreError>& result) {
+               if (!result) spdlog::error("journal: {}", result.error().text);
+             });
+  journal_.clear();
+}
+
+std::string Lab::say(language::Tongue tongue, const char* german, const char* english) const {
+  return tongue == language::Tongue::german ? german : english;
+}
+
+language::Tongue Lab::tongue_of(const db::Person& person) const {
+  if (person.language.empty()) return configuration_.tongue;
+  return person.language == "en" ? language::Tongue::english : language::Tongue::german;
+}
+
+}  // namespace cnclab::lab

@@ -1,0 +1,161 @@
+// The lab: connections, seats, controls, the selector and the machine, on one thread.
+//
+//   net ── welcome, receive, lost ──▶ Lab ──▶ Desk (Control) ──▶ training channel
+//                                      │ └──▶ Authority ──▶ lab channel
+//                                      └──▶ Store, PasswordWorker (their answers come back through `post`)
+//
+// Everything here runs on the lab thread; nothing waits. `poll` is called every 10 ms.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "db/store.hpp"
+#include "lab/authority.hpp"
+#include "lab/beats.hpp"
+#include "lab/clock.hpp"
+#include "lab/configuration.hpp"
+#include "lab/desk.hpp"
+#include "lab/login_guard.hpp"
+#include "lab/passwords.hpp"
+#include "lab/run_recorder.hpp"
+#include "lab/visit.hpp"
+#include "machine/simulated_machine.hpp"
+#include "machine/tick_thread.hpp"
+
+namespace cnclab::v1 {
+class ClientMessage;
+class InstructorRequest;
+class InstructorAnswer;
+class Status;
+}  // namespace cnclab::v1
+
+namespace cnclab::lab {
+
+/// What a lab takes over from the database when it starts.
+struct Inheritance {
+  Epoch newest_epoch{};               ///< AUTH-002: numbers only grow, over restarts too
+  machine::MachineData machine_data;  ///< the lab machine's
+};
+
+class Lab {
+ public:
+  /// store, ticks   outlive the lab; post runs a function on the lab thread
+  Lab(Configuration configuration, db::Store& store, machine::TickThread& ticks, db::Post post, Clock clock,
+      const Inheritance& inheritance);
+  ~Lab();
+  Lab(const Lab&) = delete;
+  Lab& operator=(const Lab&) = delete;
+
+  /// A connection was made.
+  [[nodiscard]] std::shared_ptr<Visit> welcome(std::shared_ptr<Peer> peer);
+  /// A message came. One that is wrong in form or order hangs up (SEC-006).
+  void receive(const std::shared_ptr<Visit>& visit, const v1::ClientMessage& message);
+  /// The connection is closed.
+  void lost(const std::shared_ptr<Visit>& visit);
+  /// The time passed.
+  void poll();
+  /// The lease ends and the machine comes to rest on the ramp; `at_rest` tells when.
+  void release_machine();
+  /// States saved, farewell to everybody (exit code 10).
+  void close();
+  [[nodiscard]] bool at_rest() const;
+
+ private:
+  friend class Console;
+  using VisitPtr = std::shared_ptr<Visit>;
+  using DeskPtr = std::shared_ptr<Desk>;
+
+  // lab.cpp
+  void hang_up(const VisitPtr& visit, const std::string& reason);
+  void farewell(const VisitPtr& visit, int exit_code, const std::string& text);
+  void watch_connections(std::int64_t now_ns);
+  void send_beats(std::int64_t now_ns);
+  void write_journal(std::string kind, std::string detail, int station = 0, std::string person = {}, Epoch lease = {});
+  void flush_journal();
+  [[nodiscard]] std::string say(language::Tongue tongue, const char* german, const char* english) const;
+  [[nodiscard]] language::Tongue tongue_of(const db::Person& person) const;
+
+  // lab_login.cpp
+  void greet(const VisitPtr& visit, const v1::ClientMessage& message);
+  void log_in(const VisitPtr& visit, const v1::Login& login);
+  void password_checked(const VisitPtr& visit, const std::optional<db::Person>& person, bool fits);
+  void change_password(const VisitPtr& visit, const v1::ChangePassword& change);
+  void admit(const VisitPtr& visit);
+  void admit_station(const VisitPtr& visit);
+  void load_desk(const VisitPtr& visit);
+  void resume(const VisitPtr& visit, const v1::Resume& resume);
+  void sit_down(const VisitPtr& visit, const DeskPtr& desk, int station);
+  void refuse(const VisitPtr& visit, v1::LoginResult result, const std::string& text);
+  void vacate(const VisitPtr& visit, const std::string& why);   ///< the desk stays for a while
+  void log_out(const VisitPtr& visit, const std::string& why);  ///< the desk goes
+  void dismiss(const DeskPtr& desk);
+  [[nodiscard]] DeskPtr seated_at(int station) const;
+  [[nodiscard]] DeskPtr desk_of(db::PersonId person) const;
+
+  // lab_keys.cpp
+  void take_key(const VisitPtr& visit, const v1::KeyEvent& event);
+  void take_potentiometer(const VisitPtr& visit, const v1::Potentiometer& turn);
+  void take_input(const DeskPtr& desk, Input input);
+  [[nodiscard]] bool take_urgent(const DeskPtr& desk, const Input& input);
+  void pump(const DeskPtr& desk);
+  void act(const DeskPtr& desk, const Input& input);
+  void start_pressed(const DeskPtr& desk, const Input& input);
+  void labor_key(const DeskPtr& desk, Key key);
+  void outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t number);
+  void store(const DeskPtr& desk, panel::StoreRequest request, std::uint64_t number);
+  [[nodiscard]] bool is_fresh(const Desk& desk, const Input& input) const;
+  void note(Desk& desk, const std::string& sentence);
+  void save_state(const DeskPtr& desk);
+
+  // lab_machine.cpp
+  /// Returns the reason of a refusal, empty if none.
+  std::string decide(const Event& event, language::Tongue tongue);
+  void carry_out(const Action& action);
+  void connect_lab_machine(LoginId login);
+  void disconnect_lab_machine();
+  [[nodiscard]] MachineView machine_view() const;
+  void heard(const Desk& desk, std::uint64_t beat);
+  void keep_epoch();
+  void record_run();
+
+  // lab_screens.cpp
+  void draw_due(std::int64_t now_ns);
+  void draw(const DeskPtr& desk, std::int64_t now_ns);
+  void push(const VisitPtr& visit);
+  void everybody_changed();
+  [[nodiscard]] panel::SideView side_view(const Desk& desk, std::int64_t now_ns) const;
+  [[nodiscard]] panel::Now now() const;
+  void note_situation(Desk& desk);
+
+  Configuration configuration_;
+  db::Store& store_;
+  machine::TickThread& ticks_;
+  db::Post post_;
+  Clock clock_;
+  PasswordWorker passwords_;
+  LoginGuard guard_;
+  Beats beats_;
+  Authority authority_;
+  std::uint64_t kept_epoch_;  ///< numbers up to this one are reserved in the database
+  machine::MachineData machine_data_;
+  machine::SimulatedMachine machine_;
+  std::shared_ptr<machine::Channel> channel_;
+  RunRecorder recorder_;
+  std::vector<VisitPtr> visits_;
+  std::map<db::PersonId, DeskPtr> desks_;
+  std::weak_ptr<Desk> lab_desk_;            ///< whose control is connected to the lab machine
+  std::vector<std::weak_ptr<Desk>> hands_;  ///< raised hands in order (INS-006)
+  std::uint64_t logins_ = 0;
+  std::vector<db::JournalEntry> journal_;
+  std::int64_t journal_flushed_ns_ = 0;
+  std::int64_t screens_changed_ns_ = 0;
+  int drawn_second_ = -1;
+  std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< late answers of other threads find it gone
+};
+
+}  // namespace cnclab::lab

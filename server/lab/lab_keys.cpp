@@ -1,0 +1,219 @@
+// Keys and the potentiometer: urgent ones at once, the others in their order, none honoured late (AUTH-005 to
+// AUTH-008).
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+
+#include "cnclab/v1/envelope.pb.h"
+#include "lab/lab.hpp"
+#include "lab/labor_menu.hpp"
+#include "lab/stored_control.hpp"
+
+namespace cnclab::lab {
+
+namespace {
+
+constexpr std::size_t kMostWaiting = 256;
+constexpr std::int64_t kOldestStart_ns = 1'000'000'000;  ///< AUTH-008
+constexpr std::int64_t kNotice_ns = 8'000'000'000;
+
+bool contains(const Input& input, Key key) { return std::ranges::find(input.keys, key) != input.keys.end(); }
+
+/// Keys that can start motion, spindle or coolant (AUTH: "start command"). FRÄSER and KÜHLMITTEL also switch off.
+bool is_start_command(const Input& input) {
+  return contains(input, Key::START) || contains(input, Key::REFERENZ) || contains(input, Key::FRAESER) ||
+         contains(input, Key::KUEHLMITTEL);
+}
+
+}  // namespace
+
+void Lab::take_key(const VisitPtr& visit, const v1::KeyEvent& event) {
+  const DeskPtr desk = visit->desk;
+  if (!desk) return hang_up(visit, "keys without a seat");
+  Input input;
+  input.number = event.number();
+  input.pressed = event.pressed();
+  input.is_repeat = event.is_repeat();
+  input.beat = event.seen().beat();
+  input.state = event.seen().state();
+  if (event.keys_size() < 1 || event.keys_size() > 3) return hang_up(visit, "key event of no or too many keys");
+  for (const int key : event.keys()) {
+    if (key < 1 || key > kKeys) return hang_up(visit, "unknown key");
+    input.keys.push_back(static_cast<Key>(key));
+  }
+  if (input.number != desk->received + 1) return hang_up(visit, "key numbers out of order");
+  take_input(desk, std::move(input));
+}
+
+void Lab::take_potentiometer(const VisitPtr& visit, const v1::Potentiometer& turn) {
+  const DeskPtr desk = visit->desk;
+  if (!desk) return hang_up(visit, "potentiometer without a seat");
+  if (turn.percent() > 100) return hang_up(visit, "potentiometer above 100 %");
+  if (turn.number() != desk->received + 1) return hang_up(visit, "key numbers out of order");
+  Input input;
+  input.number = turn.number();
+  input.percent = static_cast<int>(turn.percent());
+  input.beat = turn.seen().beat();
+  input.state = turn.seen().state();
+  take_input(desk, std::move(input));
+}
+
+void Lab::take_input(const DeskPtr& desk, Input input) {
+  desk->received = input.number;
+  heard(*desk, input.beat);
+  if (input.pressed && !input.keys.empty() && !input.is_repeat) {
+    desk->last_key = std::string(name_of(input.keys.front()));
+    write_journal("key", desk->last_key, desk->station, desk->person.name);
+  }
+  if (!take_urgent(desk, input)) {
+    if (desk->waiting.size() >= kMostWaiting) {
+      if (const VisitPtr visit = desk->visit.lock()) hang_up(visit, "too many keys waiting");
+      return;
+    }
+    desk->waiting.push_back(std::move(input));
+  }
+  pump(desk);
+  draw(desk, clock_.monotonic_ns());
+}
+
+bool Lab::take_urgent(const DeskPtr& desk, const Input& input) {
+  if (!input.pressed || input.keys.size() != 1) return false;
+  if (input.keys.front() == Key::STOP) {
+    static_cast<void>(decide(Decline{desk->login}, tongue_of(desk->person)));
+    outcome(desk, desk->control.press(Key::STOP, now()), input.number);
+    return true;
+  }
+  if (input.keys.front() == Key::MASCHINE_HALT) {
+    if (input.is_repeat) return true;
+    const auto tongue = tongue_of(desk->person);
+    const std::string who =
+        say(tongue, "Platz ", "station ") + std::to_string(desk->station) + ", " + desk->person.name;
+    const bool release = authority_.is_halted() && authority_.halted_by_login() == desk->login;
+    note(*desk, release ? decide(HaltCleared{desk->login}, tongue) : decide(HaltPressed{desk->login, who}, tongue));
+    return true;
+  }
+  return false;
+}
+
+void Lab::pump(const DeskPtr& desk) {
+  while (!desk->waiting.empty() && !desk->control.is_storing() && !desk->storing) {
+    const Input input = std::move(desk->waiting.front());
+    desk->waiting.pop_front();
+    act(desk, input);
+  }
+}
+
+void Lab::act(const DeskPtr& desk, const Input& input) {
+  desk->is_dirty = true;
+  if (input.keys.empty()) {
+    const bool raised_from_0 = desk->control.override_percent() == 0 && input.percent > 0;
+    if (raised_from_0 && desk->on_lab_machine && !is_fresh(*desk, input))
+      return note(*desk, say(tongue_of(desk->person), "Das Potentiometer wurde zu spät gehoben: bitte noch einmal.",
+                             "The potentiometer was raised too late: please turn it again."));
+    return desk->control.set_override(input.percent);
+  }
+  if (!input.pressed) {
+    if (contains(input, Key::START)) desk->ignore_start_until_release = false;
+    for (const Key key : input.keys) desk->control.release(key, now());
+    return;
+  }
+  if (desk->notice_until_ns != 0) note(*desk, "");
+  if (input.keys.size() > 1) return outcome(desk, desk->control.press_chord(input.keys, now()), input.number);
+  const Key key = input.keys.front();
+  if (key == Key::LABOR || desk->labor_open) return labor_key(desk, key);
+  if (key == Key::MELDUNG) {
+    const auto raised = std::ranges::find_if(hands_, [&](const auto& hand) { return hand.lock() == desk; });
+    if (raised == hands_.end())
+      hands_.push_back(desk);
+    else
+      hands_.erase(raised);
+    return everybody_changed();
+  }
+  if (is_start_command(input)) return start_pressed(desk, input);
+  outcome(desk, desk->control.press(key, now()), input.number);
+}
+
+void Lab::start_pressed(const DeskPtr& desk, const Input& input) {
+  const bool is_start = contains(input, Key::START);
+  if (is_start && (desk->ignore_start_until_release || input.is_repeat)) return;
+  if (is_start && authority_.asked() != kNoLogin && authority_.asked() == desk->login) {
+    desk->ignore_start_until_release = true;  // that START only accepts
+    return note(*desk, decide(Accept{desk->login}, tongue_of(desk->person)));
+  }
+  if (desk->on_lab_machine && authority_.is_halted())
+    return note(*desk,
+                say(tongue_of(desk->person), "MASCHINE HALT ist gedrückt von ", "MASCHINE HALT was pressed by ") +
+                    authority_.halted_by() +
+                    say(tongue_of(desk->person), ": erst lösen, dann START.", ": release it, then START."));
+  if (desk->on_lab_machine && !is_fresh(*desk, input)) {
+    write_journal("start_refused", "pressed before the present situation was seen", desk->station, desk->person.name,
+                  authority_.newest());
+    return note(*desk, say(tongue_of(desk->person), "START kam zu spät und gilt nicht: bitte noch einmal drücken.",
+                           "START came too late and does not count: please press it again."));
+  }
+  outcome(desk, desk->control.press(input.keys.front(), now()), input.number);
+}
+
+bool Lab::is_fresh(const Desk& desk, const Input& input) const {
+  const auto sent_ns = beats_.sent_ns(input.beat);
+  return input.state == desk.state && sent_ns && clock_.monotonic_ns() - *sent_ns <= kOldestStart_ns;
+}
+
+void Lab::labor_key(const DeskPtr& desk, Key key) {
+  switch (labor_choice(key)) {
+    case LaborChoice::open_or_close:
+      desk->labor_open = !desk->labor_open;
+      return;
+    case LaborChoice::close:
+      desk->labor_open = false;
+      return;
+    case LaborChoice::log_out:
+      if (const VisitPtr visit = desk->visit.lock()) log_out(visit, "log-out");
+      return;
+    case LaborChoice::none:
+      return;
+  }
+}
+
+void Lab::outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t number) {
+  desk->is_dirty = true;
+  if (outcome.store) store(desk, std::move(*outcome.store), number);
+  if (outcome.mode_changed) save_state(desk);
+}
+
+void Lab::store(const DeskPtr& desk, panel::StoreRequest request, std::uint64_t number) {
+  desk->storing = number;
+  const db::Author author{desk->person.name, desk->station, clock_.unix_ms()};
+  store_.run([id = desk->person.id, request = std::move(request),
+              author](db::Database& database) { lab::carry_out(database, id, request, author); },
+             [this, weak = std::weak_ptr(desk), alive = alive_](const std::expected<void, db::StoreError>& result) {
+               const DeskPtr stored = weak.lock();
+               if (!*alive || !stored) return;
+               if (!result) spdlog::error("{}: not stored: {}", stored->person.name, result.error().text);
+               stored->storing.reset();
+               stored->control.store_done(result ? std::string() : result.error().text);
+               stored->is_dirty = true;
+               pump(stored);
+               draw(stored, clock_.monotonic_ns());
+             });
+}
+
+void Lab::note(Desk& desk, const std::string& sentence) {
+  desk.notice = sentence;
+  desk.notice_until_ns = sentence.empty() ? 0 : clock_.monotonic_ns() + kNotice_ns;
+  desk.is_dirty = true;
+}
+
+void Lab::save_state(const DeskPtr& desk) {
+  desk->last_saved_ns = clock_.monotonic_ns();
+  std::string state = desk->control.save_state();
+  if (state == desk->saved_state) return;
+  desk->saved_state = state;
+  store_.run([id = desk->person.id, state = std::move(state),
+              time = clock_.unix_ms()](db::Database& database) { database.put_control_state(id, state, time); },
+             [name = desk->person.name](const std::expected<void, db::StoreError>& result) {
+               if (!result) spdlog::error("{}: state not stored: {}", name, result.error().text);
+             });
+}
+
+}  // namespace cnclab::lab

@@ -1,0 +1,151 @@
+// The lab's machine: what authority decides is carried out here, in its order.
+#include <spdlog/spdlog.h>
+
+#include <nlohmann/json.hpp>
+
+#include "lab/lab.hpp"
+
+namespace cnclab::lab {
+
+namespace {
+
+constexpr std::uint64_t kReserve = 100;  ///< lease numbers kept ahead in the database
+
+std::string_view name_of(machine::StopCause cause) {
+  using machine::StopCause;
+  switch (cause) {
+    case StopCause::none:
+      return "none";
+    case StopCause::operator_stop:
+      return "stop";
+    case StopCause::program_end:
+      return "program_end";
+    case StopCause::programmed_halt:
+      return "halt";
+    case StopCause::waiting_for_input:
+      return "wait";
+    case StopCause::single_block:
+      return "single_block";
+    case StopCause::limit_switch:
+      return "limit_switch";
+    case StopCause::power_off:
+      return "power_off";
+    case StopCause::machine_halt:
+      return "machine_halt";
+    case StopCause::lease_ended:
+      return "lease_ended";
+    case StopCause::lease_expired:
+      return "lease_expired";
+    case StopCause::error:
+      return "error";
+  }
+  return "";
+}
+
+/// After these causes START goes on with the same run.
+bool goes_on(machine::StopCause cause) {
+  using machine::StopCause;
+  return cause == StopCause::operator_stop || cause == StopCause::programmed_halt ||
+         cause == StopCause::waiting_for_input || cause == StopCause::single_block;
+}
+
+}  // namespace
+
+std::string Lab::decide(const Event& event, language::Tongue tongue) {
+  std::string refusal;
+  for (const Action& action : authority_.apply(event, machine_view(), clock_.monotonic_ns())) {
+    if (const auto* refused = std::get_if<Refuse>(&action))
+      refusal = tongue == language::Tongue::german ? refused->german : refused->english;
+    carry_out(action);
+  }
+  keep_epoch();
+  return refusal;
+}
+
+void Lab::carry_out(const Action& action) {
+  if (const auto* grant = std::get_if<Grant>(&action)) {
+    channel_->grant(grant->epoch, grant->expiry_ns);
+    return;  // renewed 20 times a second: nothing to draw
+  }
+  if (const auto* revoke = std::get_if<Revoke>(&action)) channel_->revoke(revoke->cause);
+  if (const auto* connect = std::get_if<Connect>(&action)) {
+    if (connect->to_lab_machine)
+      connect_lab_machine(connect->login);
+    else
+      disconnect_lab_machine();
+  }
+  if (const auto* power = std::get_if<SwitchPower>(&action)) {
+    const bool taken = power->on ? channel_->command(machine::PowerOn{}) : channel_->command(machine::PowerOff{});
+    if (!taken) channel_->stop(machine::StopCause::power_off);
+  }
+  if (const auto* entry = std::get_if<Journal>(&action)) {
+    const DeskPtr desk = seated_at(entry->station);
+    write_journal(entry->kind, entry->detail, entry->station, desk ? desk->person.name : "", entry->lease);
+    spdlog::info("{} station {} lease {} {}", entry->kind, entry->station, static_cast<std::uint64_t>(entry->lease),
+                 entry->detail);
+  }
+  everybody_changed();
+}
+
+void Lab::connect_lab_machine(LoginId login) {
+  for (const auto& [id, desk] : desks_) {
+    if (desk->login != login) continue;
+    desk->stop_training();
+    desk->on_lab_machine = true;
+    desk->control.connect({channel_, authority_.newest(), true, machine_data_});
+    lab_desk_ = desk;
+  }
+}
+
+void Lab::disconnect_lab_machine() {
+  if (const DeskPtr desk = lab_desk_.lock()) {
+    recorder_.end(std::string(name_of(channel_->snapshot().cause)));
+    desk->connect_training();
+  }
+  lab_desk_.reset();
+}
+
+MachineView Lab::machine_view() const {
+  const machine::Snapshot snapshot = channel_->snapshot();
+  MachineView view;
+  view.moving = snapshot.state == machine::MotionState::moving || snapshot.state == machine::MotionState::stopping;
+  view.run_active = snapshot.started;
+  view.spindle_on = snapshot.spindle != geometry::SpindleTurn::off;
+  const DeskPtr desk = lab_desk_.lock();
+  view.manual_motion = view.moving && desk &&
+                       (desk->control.mode() == panel::Mode::hand || desk->control.mode() == panel::Mode::teach_in);
+  return view;
+}
+
+void Lab::heard(const Desk& desk, std::uint64_t beat) {
+  if (const auto sent_ns = beats_.sent_ns(beat))
+    static_cast<void>(decide(Heard{desk.login, *sent_ns}, configuration_.tongue));
+}
+
+void Lab::keep_epoch() {
+  if (static_cast<std::uint64_t>(authority_.newest()) + kReserve / 2 < kept_epoch_) return;
+  kept_epoch_ = static_cast<std::uint64_t>(authority_.newest()) + kReserve;
+  store_.run([value = std::to_string(kept_epoch_)](db::Database& database) { database.put_value("epoch", value); },
+             [](const std::expected<void, db::StoreError>& result) {
+               if (!result) spdlog::error("lease number not stored: {}", result.error().text);
+             });
+}
+
+void Lab::record_run() {
+  const machine::Snapshot snapshot = channel_->snapshot();
+  const DeskPtr desk = lab_desk_.lock();
+  if (!recorder_.is_recording() && snapshot.started && desk) {
+    const auto situation = desk->control.situation();
+    nlohmann::json setup{{"software", "cnclab 0.1.0"}, {"potentiometer", desk->control.override_percent()}};
+    for (const auto& form : machine::datum_forms())
+      setup["machine_data"][std::to_string(form.number)] = machine_data_.get(form.number);
+    setup["istwert"] = {snapshot.istwert_mm[0], snapshot.istwert_mm[1], snapshot.istwert_mm[2]};
+    recorder_.begin({desk->person.id, desk->station, static_cast<std::uint64_t>(authority_.newest()), situation.program,
+                     situation.block, clock_.unix_ms(), setup.dump()});
+  }
+  recorder_.poll();
+  if (recorder_.is_recording() && !snapshot.started && !goes_on(snapshot.cause))
+    recorder_.end(std::string(name_of(snapshot.cause)));
+}
+
+}  // namespace cnclab::lab

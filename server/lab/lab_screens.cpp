@@ -1,0 +1,85 @@
+// Who sees what: screens are drawn when something changed, at most 20 times a second while axes move.
+#include <algorithm>
+
+#include "cnclab/v1/envelope.pb.h"
+#include "lab/lab.hpp"
+#include "lab/labor_menu.hpp"
+
+namespace cnclab::lab {
+
+namespace {
+constexpr std::int64_t kRefresh_ns = 50'000'000;
+}
+
+void Lab::draw_due(std::int64_t now_ns) {
+  const int second = wall_clock(clock_.unix_ms()).second;
+  const bool clock_moved = second != drawn_second_;
+  drawn_second_ = second;
+  for (const auto& [id, desk] : desks_) {
+    const bool moving = desk->control.is_running() && now_ns - desk->last_drawn_ns >= kRefresh_ns;
+    if (desk->notice_until_ns != 0 && now_ns >= desk->notice_until_ns) note(*desk, "");
+    note_situation(*desk);
+    if (desk->is_dirty || moving || clock_moved) draw(desk, now_ns);
+  }
+}
+
+void Lab::draw(const DeskPtr& desk, std::int64_t now_ns) {
+  desk->is_dirty = false;
+  desk->last_drawn_ns = now_ns;
+  note_situation(*desk);
+  View view{desk->control.draw(now(), side_view(*desk, now_ns)), desk->handled(), desk->state,
+            desk->control.alarm_tone()};
+  if (desk->labor_open) draw_labor_menu(view.screen, tongue_of(desk->person));
+  const int beeps = desk->control.take_beeps();
+  if (const VisitPtr visit = desk->visit.lock()) {
+    visit->feed.offer(view, beeps);
+    push(visit);
+  }
+  view.handled_key = 0;
+  for (const VisitPtr& visit : visits_) {
+    if (visit->stage != Stage::looking_on || visit->watched_station != desk->station) continue;
+    visit->feed.offer(view, 0);
+    push(visit);
+  }
+}
+
+void Lab::push(const VisitPtr& visit) {
+  auto update = visit->feed.next();
+  if (!update) return;
+  v1::ServerMessage message;
+  *message.mutable_screen() = std::move(*update);
+  visit->peer->send(message);
+}
+
+void Lab::everybody_changed() {
+  for (const auto& [id, desk] : desks_) desk->is_dirty = true;
+}
+
+panel::SideView Lab::side_view(const Desk& desk, std::int64_t now_ns) const {
+  panel::SideView side;
+  side.station = desk.station;
+  side.user = desk.person.name;
+  side.on_lab_machine = desk.on_lab_machine;
+  side.controlling_station = authority_.selected();
+  side.override_percent = desk.control.override_percent();
+  side.halted_by = authority_.halted_by();
+  const auto hand = std::ranges::find_if(hands_, [&](const auto& raised) { return raised.lock().get() == &desk; });
+  if (hand != hands_.end()) side.meldung = static_cast<int>(hand - hands_.begin()) + 1;
+  side.notice = desk.notice_until_ns > now_ns ? desk.notice : std::string();
+  if (desk.login != kNoLogin && authority_.asked() == desk.login)
+    side.notice = say(tongue_of(desk.person), "Die Lehrkraft bietet die Maschine an: START nimmt an, STOP lehnt ab.",
+                      "The instructor offers the machine: START accepts, STOP declines.");
+  return side;
+}
+
+panel::Now Lab::now() const { return {clock_.monotonic_ns(), wall_clock(clock_.unix_ms())}; }
+
+void Lab::note_situation(Desk& desk) {
+  const panel::Situation situation = desk.control.situation();
+  if (situation == desk.situation && desk.on_lab_machine == desk.situation_on_lab) return;
+  desk.situation = situation;
+  desk.situation_on_lab = desk.on_lab_machine;
+  ++desk.state;
+}
+
+}  // namespace cnclab::lab

@@ -1,0 +1,111 @@
+// Argon2id hashes, made and compared one at a time.
+#include "lab/passwords.hpp"
+
+#include <sodium.h>
+
+#include <array>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <new>
+#include <stdexcept>
+#include <string_view>
+#include <thread>
+
+namespace cnclab::lab {
+
+namespace {
+
+constexpr unsigned long long kPasses = 2;
+constexpr std::size_t kMemory_bytes = 19ULL * 1024 * 1024;
+
+void start_sodium() {
+  if (sodium_init() < 0) throw std::runtime_error("libsodium cannot be started: no source of random numbers");
+}
+
+bool fits(const std::string& password, const std::string& hash) {
+  return crypto_pwhash_str_verify(hash.c_str(), password.data(), password.size()) == 0;
+}
+
+}  // namespace
+
+std::string one_time_password() {
+  start_sodium();
+  constexpr std::string_view letters = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789";
+  std::string password;
+  for (int i = 0; i < 16; ++i) {
+    if (i > 0 && i % 4 == 0) password += '-';
+    password += letters[randombytes_uniform(static_cast<std::uint32_t>(letters.size()))];
+  }
+  return password;
+}
+
+std::string random_ticket() {
+  start_sodium();
+  std::string ticket(32, '\0');
+  randombytes_buf(ticket.data(), ticket.size());
+  return ticket;
+}
+
+std::string hash_password(const std::string& password) {
+  start_sodium();
+  std::array<char, crypto_pwhash_STRBYTES> hash{};
+  if (crypto_pwhash_str_alg(hash.data(), password.data(), password.size(), kPasses, kMemory_bytes,
+                            crypto_pwhash_ALG_ARGON2ID13) != 0)
+    throw std::bad_alloc();
+  return hash.data();
+}
+
+struct PasswordWorker::Impl {
+  explicit Impl(db::Post to_lab) : post(std::move(to_lab)), nobody(hash_password("nobody")) {
+    thread = std::jthread([this](const std::stop_token& stop) { work(stop); });
+  }
+
+  void enqueue(std::function<void()> job) {
+    {
+      const std::lock_guard lock(mutex);
+      jobs.push_back(std::move(job));
+    }
+    waiting.notify_one();
+  }
+
+  void work(const std::stop_token& stop) {
+    for (;;) {
+      std::function<void()> job;
+      {
+        std::unique_lock lock(mutex);
+        if (!waiting.wait(lock, stop, [this] { return !jobs.empty(); })) return;
+        if (stop.stop_requested()) return;
+        job = std::move(jobs.front());
+        jobs.pop_front();
+      }
+      job();
+    }
+  }
+
+  db::Post post;
+  std::string nobody;  ///< compared with when there is no such name
+  std::mutex mutex;
+  std::condition_variable_any waiting;
+  std::deque<std::function<void()>> jobs;
+  std::jthread thread;
+};
+
+PasswordWorker::PasswordWorker(db::Post post) : impl_(std::make_unique<Impl>(std::move(post))) {}
+PasswordWorker::~PasswordWorker() = default;
+
+void PasswordWorker::verify(std::string password, std::string hash, std::function<void(bool)> done) {
+  impl_->enqueue([this, password = std::move(password), hash = std::move(hash), done = std::move(done)] {
+    const bool known = !hash.empty();
+    const bool same = fits(password, known ? hash : impl_->nobody) && known;
+    impl_->post([done, same] { done(same); });
+  });
+}
+
+void PasswordWorker::hash(std::string password, std::function<void(std::string)> done) {
+  impl_->enqueue([this, password = std::move(password), done = std::move(done)] {
+    impl_->post([done, hash = hash_password(password)] { done(hash); });
+  });
+}
+
+}  // namespace cnclab::lab

@@ -1,0 +1,111 @@
+// Database rows to blocks and back.
+#include "lab/stored_control.hpp"
+
+#include <fmt/format.h>
+
+#include "language/tape.hpp"
+
+namespace cnclab::lab {
+
+namespace {
+
+language::Block block_of(int program, const db::StoredBlock& stored) {
+  const auto number = static_cast<std::uint16_t>(program);
+  auto block = language::read_block(stored.text, number);
+  const bool fits =
+      block && block->number == stored.number && language::check_code(number, stored.text) == stored.check_code;
+  if (fits) return *block;
+  language::Block damaged = block.value_or(language::Block{});
+  damaged.number = static_cast<std::uint16_t>(stored.number);
+  damaged.is_damaged = true;
+  return damaged;
+}
+
+std::string datum_text(int number, std::int64_t value) { return fmt::format("{:02}={}", number, value); }
+
+/// The same block under another number, for insertion.
+db::StoredBlock renumbered(int program, const db::StoredBlock& stored, int number) {
+  language::Block block = block_of(program, stored);
+  if (block.is_damaged) {  // keep the damage visible: text and code stay as they are
+    return {number, stored.text, stored.check_code};
+  }
+  block.number = static_cast<std::uint16_t>(number);
+  return stored_block(program, block);
+}
+
+struct CarryOut {
+  db::Database& database;
+  db::PersonId person;
+  const db::Author& author;
+
+  void operator()(const panel::PutBlock& put) const {
+    database.put_block(person, put.program, stored_block(put.program, put.block), author);
+  }
+  void operator()(const panel::InsertBlock& insert) const {
+    const int program = insert.program;
+    database.insert_block(
+        person, program, stored_block(program, insert.block), author,
+        [program](const db::StoredBlock& old, int number) { return renumbered(program, old, number); });
+  }
+  void operator()(const panel::DeleteBlock& erase) const {
+    database.delete_block(person, erase.program, erase.block, author);
+  }
+  void operator()(const panel::RemovePrograms& remove) const {
+    for (const auto number : remove.programs) database.remove_program(person, number, author);
+  }
+  void operator()(const panel::PutMachineData& put) const {
+    for (const auto& form : machine::datum_forms())
+      database.put_machine_datum(person, stored_datum(form.number, put.data.get(form.number)), author);
+  }
+};
+
+}  // namespace
+
+StoredControl read_control(db::Database& database, db::PersonId person) {
+  return {database.programs(person), database.machine_data(person), database.control_state(person)};
+}
+
+panel::Memory memory_of(const std::vector<db::StoredProgram>& programs, int memory_bytes) {
+  panel::Memory memory(memory_bytes);
+  for (const auto& stored : programs) {
+    language::Program program{static_cast<std::uint16_t>(stored.number), {}};
+    program.blocks.reserve(stored.blocks.size());
+    for (const auto& block : stored.blocks) program.blocks.push_back(block_of(stored.number, block));
+    memory.put_program(std::move(program));
+  }
+  return memory;
+}
+
+machine::MachineData machine_data_of(const std::vector<db::StoredDatum>& data) {
+  machine::MachineData result;
+  // F START/STOP may not exceed F MAX, so the order of setting matters: greatest numbers last would refuse a valid set.
+  for (int pass = 0; pass < 2; ++pass)
+    for (const auto& datum : data)
+      if (stored_datum(datum.number, datum.value).check_code == datum.check_code)
+        static_cast<void>(result.set(datum.number, datum.value));
+  return result;
+}
+
+db::StoredBlock stored_block(int program, const language::Block& block) {
+  std::string text = language::write_block(block);
+  const std::uint32_t code = language::check_code(static_cast<std::uint16_t>(program), text);
+  return {block.number, std::move(text), code};
+}
+
+std::vector<db::StoredBlock> stored_blocks(const language::Program& program) {
+  std::vector<db::StoredBlock> blocks;
+  blocks.reserve(program.blocks.size());
+  for (const auto& block : program.blocks) blocks.push_back(stored_block(program.number, block));
+  return blocks;
+}
+
+db::StoredDatum stored_datum(int number, std::int64_t value) {
+  return {number, value, language::check_code(0, datum_text(number, value))};
+}
+
+void carry_out(db::Database& database, db::PersonId person, const panel::StoreRequest& request,
+               const db::Author& author) {
+  std::visit(CarryOut{database, person, author}, request);
+}
+
+}  // namespace cnclab::lab

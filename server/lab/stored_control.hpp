@@ -1,0 +1,37 @@
+// Between the database's rows and a control: programs and machine data loaded, changes carried out.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "db/database.hpp"
+#include "machine/machine_data.hpp"
+#include "panel/control.hpp"
+#include "panel/memory.hpp"
+
+namespace cnclab::lab {
+
+/// What of a student is in the database, read in one job of the store.
+struct StoredControl {
+  std::vector<db::StoredProgram> programs;
+  std::vector<db::StoredDatum> machine_data;
+  std::string state;
+};
+
+[[nodiscard]] StoredControl read_control(db::Database& database, db::PersonId person);
+
+/// Blocks whose check code does not fit, or whose text is no block, are kept and marked as damaged (STO-003).
+[[nodiscard]] panel::Memory memory_of(const std::vector<db::StoredProgram>& programs, int memory_bytes);
+
+/// Machine data whose check code does not fit have their standard value (ERR-014).
+[[nodiscard]] machine::MachineData machine_data_of(const std::vector<db::StoredDatum>& data);
+
+[[nodiscard]] db::StoredBlock stored_block(int program, const language::Block& block);
+[[nodiscard]] std::vector<db::StoredBlock> stored_blocks(const language::Program& program);
+[[nodiscard]] db::StoredDatum stored_datum(int number, std::int64_t value);
+
+/// Carries out what a control wants stored. Throws what the database throws.
+void carry_out(db::Database& database, db::PersonId person, const panel::StoreRequest& request,
+               const db::Author& author);
+
+}  // namespace cnclab::lab
