@@ -7,19 +7,19 @@ std::string_view explain(FailureKind kind, std::string_view language) {
   const bool english = language == "en";
   switch (kind) {
     case FailureKind::locked:
-      return english ? "Not stored: another program holds the database. Try again; else tell the instructor."
-                     : "Nicht gespeichert: Datenbank belegt. Nochmals versuchen, sonst Ausbilder rufen.";
+      return english ? "Not stored: the database is busy. Try again, else call the instructor."
+                     : "Nicht gespeichert: Datenbank belegt. Nochmals versuchen oder Ausbilder rufen.";
     case FailureKind::full:
-      return english ? "Not stored: the server's disk is full. Tell the instructor, make room, try again."
+      return english ? "Not stored: the server's disk is full. Call the instructor, make room."
                      : "Nicht gespeichert: Platte des Servers voll. Ausbilder rufen, Platz schaffen.";
     case FailureKind::damaged:
-      return english ? "Not stored: the database is damaged. Tell the instructor: restore a backup."
-                     : "Nicht gespeichert: Datenbank beschädigt. Ausbilder rufen: Sicherung einspielen.";
+      return english ? "Not stored: the database is damaged. Call the instructor: restore a backup."
+                     : "Nicht gespeichert: Datenbank beschädigt. Ausbilder rufen: Sicherung laden.";
     case FailureKind::disk:
-      return english ? "Not stored: the server's disk cannot be written. Tell the instructor."
+      return english ? "Not stored: the server's disk cannot be written. Call the instructor."
                      : "Nicht gespeichert: Platte des Servers nicht beschreibbar. Ausbilder rufen.";
     case FailureKind::refused:
-      return english ? "Not stored: the database refuses this value. Tell the instructor (see the server's log)."
+      return english ? "Not stored: value not allowed. Call the instructor (see the server's log)."
                      : "Nicht gespeichert: Wert nicht zulässig. Ausbilder rufen (Protokoll des Servers).";
   }
   return {};

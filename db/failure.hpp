@@ -17,7 +17,7 @@ enum class FailureKind : std::uint8_t {
   refused,  ///< the value breaks a rule of the schema, or its owner is no longer there
 };
 
-/// One or two full sentences for a screen: what happened and what to do. `language`: "de" or "en".
+/// For row 18 of a screen (at most 80 columns): what happened and what to do. `language`: "de" or "en".
 [[nodiscard]] std::string_view explain(FailureKind kind, std::string_view language);
 
 /// Thrown by repositories. `what()` is for the log: the failing step and SQLite's own words.

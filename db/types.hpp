@@ -13,19 +13,19 @@ inline constexpr PersonId kLabMachine{0};  ///< owner of the lab machine's data
 
 struct Person {
   PersonId id{};
-  std::string name;
-  std::string role;      ///< "student", "instructor", "observer"
-  std::string language;  ///< "", "de", "en"
-  std::string model;     ///< "", "3300", "3250"
-  std::string password_hash;
+  std::string name{};
+  std::string role{};      ///< "student", "instructor", "observer"
+  std::string language{};  ///< "", "de", "en"
+  std::string model{};     ///< "", "3300", "3250"
+  std::string password_hash{};
   bool must_change = false;
   std::int64_t last_seen_ms = 0;
-  std::optional<std::int64_t> archived_ms;
+  std::optional<std::int64_t> archived_ms{};
 };
 
 /// Who changes something, from where, when; kept with every change (STO-005).
 struct Author {
-  std::string name;
+  std::string name{};
   int station = 0;
   std::int64_t time_ms = 0;
 };
@@ -33,7 +33,7 @@ struct Author {
 /// A block in its stored form; the check code is compared by whoever understands blocks (STO-003).
 struct StoredBlock {
   int number = 0;
-  std::string text;
+  std::string text{};
   std::uint32_t check_code = 0;
   friend bool operator==(const StoredBlock&, const StoredBlock&) = default;
 };
@@ -42,15 +42,15 @@ struct StoredProgram {
   int number = 0;
   int version = 0;
   std::int64_t changed_ms = 0;
-  std::vector<StoredBlock> blocks;  ///< ascending
+  std::vector<StoredBlock> blocks{};  ///< ascending
 };
 
 /// A version of a program in the list of versions.
 struct ProgramVersion {
   int version = 0;
-  std::string kind;  ///< "put", "insert", "delete", "replace", "remove"
+  std::string kind{};  ///< "put", "insert", "delete", "replace", "remove"
   int block = 0;
-  Author author;
+  Author author{};
 };
 
 struct StoredDatum {
@@ -62,9 +62,9 @@ struct StoredDatum {
 struct JournalEntry {
   std::int64_t time_ms = 0;
   int station = 0;
-  std::string person;
-  std::string kind;
-  std::string detail;
+  std::string person{};
+  std::string kind{};
+  std::string detail{};
   std::uint64_t lease = 0;
 };
 
@@ -72,13 +72,13 @@ struct RunRecord {
   std::int64_t id = 0;
   PersonId person{};
   int station = 0;
-  std::string machine;  ///< "training" or "lab"
+  std::string machine{};  ///< "training" or "lab"
   std::uint64_t lease = 0;
   std::int64_t started_ms = 0;
   int program = 0, block = 0;
-  std::string setup;  ///< JSON
-  std::optional<double> seconds;
-  std::string ended;
+  std::string setup{};  ///< JSON
+  std::optional<double> seconds{};
+  std::string ended{};
 };
 
 }  // namespace cnclab::db
