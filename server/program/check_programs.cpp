@@ -45,7 +45,7 @@ Outcome check_target(const ProgramSet& programs, const language::Program& own, c
   if (program == nullptr) return error_at(language::ErrorCode::program_missing, source, 'P', name);
   const auto target = known(block, Address::N);
   if (target && !program->find(*target))
-    return error_at(language::ErrorCode::block_missing, source, 'N', fmt::format("{} N{:03}", name, *target));
+    return error_at(language::ErrorCode::block_missing, source, 'N', fmt::format("N{:03} in {}", *target, name));
   return {};
 }
 

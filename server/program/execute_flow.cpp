@@ -19,7 +19,8 @@ Outcome find_target(BlockRun& run) {
     return error_at(language::ErrorCode::program_missing, run.source, 'P', fmt::format("P{:04}", number));
   const std::optional<std::size_t> index = program->find(static_cast<std::uint16_t>(block));
   if (!index)
-    return error_at(language::ErrorCode::block_missing, run.source, 'N', fmt::format("P{:04} N{:03}", number, block));
+    return error_at(language::ErrorCode::block_missing, run.source, 'N',
+                    fmt::format("N{:03} in P{:04}", block, number));
   run.flow.program = program;
   run.flow.index = *index;
   return {};

@@ -1,6 +1,8 @@
 // The table from function code to handler; a further function is a further row.
 #include "program/functions.hpp"
 
+#include <fmt/core.h>
+
 #include <array>
 
 namespace cnclab::program {
@@ -44,12 +46,10 @@ constexpr std::array<Handler, kCodes> by_code() {
 
 constexpr std::array<Handler, kCodes> kGFunctions = by_code();
 
-/// "G41", "\01", as a tape writes it.
+/// "G41", "↓01".
 std::string name_of(language::Function function) {
-  std::string name = function.kind == language::Function::Kind::parametric ? "\\" : "G";
-  name += static_cast<char>('0' + function.code / 10 % 10);
-  name += static_cast<char>('0' + function.code % 10);
-  return name;
+  const bool is_parametric = function.kind == language::Function::Kind::parametric;
+  return fmt::format("{}{:02}", is_parametric ? "↓" : "G", function.code);
 }
 
 }  // namespace
@@ -68,7 +68,7 @@ Handler handler_of(language::Function function) {
 Outcome executable(const language::Block& block, geometry::SourceBlock source, const language::Vocabulary& vocabulary) {
   const bool is_known = language::find_form(block.function, language::Plane::xy, vocabulary) != nullptr;
   if (is_known && handler_of(block.function) != nullptr) return {};
-  const char word = block.function.kind == language::Function::Kind::parametric ? '\\' : 'G';
+  const char word = block.function.kind == language::Function::Kind::parametric ? '\0' : 'G';
   const auto code = is_known ? language::ErrorCode::not_in_this_version : language::ErrorCode::function_unknown;
   return error_at(code, source, word, name_of(block.function));
 }

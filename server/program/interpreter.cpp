@@ -59,10 +59,12 @@ std::expected<Interpreter, language::Error> Interpreter::begin(ProgramSet progra
   const geometry::SourceBlock place{.program = start.program, .block = start.block};
   const language::Program* program = start.program == language::kToolTable ? nullptr : programs.find(start.program);
   if (language::is_reserved_for_cycles(start.program))
-    return error_at(language::ErrorCode::reserved_for_cycles, place, 'P');
+    return error_at(language::ErrorCode::reserved_for_cycles, place, 'P', fmt::format("P{:04}", start.program));
   if (program == nullptr)
-    return error_at(language::ErrorCode::program_missing, {.program = start.program, .block = 0}, 'P');
-  if (!program->find(start.block)) return error_at(language::ErrorCode::block_missing, place, 'N');
+    return error_at(language::ErrorCode::program_missing, {.program = start.program, .block = 0}, 'P',
+                    fmt::format("P{:04}", start.program));
+  if (!program->find(start.block))
+    return error_at(language::ErrorCode::block_missing, place, 'N', fmt::format("N{:03}", start.block));
   if (Outcome outcome = check_executable(programs, settings, start); !outcome) return std::unexpected(outcome.error());
   return Interpreter(std::move(programs), std::move(settings), start, std::move(inputs));
 }
@@ -146,6 +148,7 @@ std::expected<std::optional<language::Block>, language::Error> Interpreter::prep
     return std::unexpected(outcome.error());
   std::optional<language::Block> with_values;
   if (has_parameters(stored)) with_values = read_parameters(stored, parameters_, state_, programs_);
+  if (with_values && is_dwell_of_nothing(*with_values)) return with_values;  // DEC-53
   if (Outcome outcome = check_words(with_values ? *with_values : stored, source, state_.modal.plane, settings_);
       !outcome)
     return std::unexpected(outcome.error());

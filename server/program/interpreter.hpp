@@ -34,16 +34,16 @@ struct Settings {
   double s_max_rpm = 3000;
   std::array<double, 3> travel_mm{500, 500, 500};  ///< word limits MD 03..05 for values by parameter
   std::array<double, 4> steps_per_mm{200, 200, 200, 200};
-  language::Vocabulary vocabulary;
+  language::Vocabulary vocabulary{};
   bool outputs_at_end_off = false;  ///< lab machine: the end of a program switches spindle and coolant off (DEC-38)
 };
 
 /// Where and how a run begins.
 struct Start {
   std::uint16_t program = 1;
-  std::uint16_t block = 1;   ///< must exist
-  geometry::Point position;  ///< Istwert at START, mm
-  ModalState modal;
+  std::uint16_t block = 1;     ///< must exist
+  geometry::Point position{};  ///< Istwert at START, mm
+  ModalState modal{};
   Parameters parameters{};
 };
 

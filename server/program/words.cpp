@@ -1,6 +1,8 @@
 // Reading parameters into words, and the checks that a block passes before it acts.
 #include "program/words.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
 #include "language/check_block.hpp"
@@ -54,10 +56,16 @@ language::Block read_parameters(language::Block block, const Parameters& paramet
   return block;
 }
 
+bool is_dwell_of_nothing(const language::Block& block) {
+  return block.function == language::Function{language::Function::Kind::g, 4} &&
+         value_of(block, language::Address::H, 1) == 0;
+}
+
 Outcome check_words(const language::Block& block, geometry::SourceBlock source, geometry::Plane plane,
                     const Settings& settings) {
   const language::Plane words_plane = as_language(plane);
-  if (is_of_another_plane(block, words_plane)) return error_at(language::ErrorCode::plane_wrong, source, 'G');
+  if (is_of_another_plane(block, words_plane))
+    return error_at(language::ErrorCode::plane_wrong, source, 'G', fmt::format("G{:02}", block.function.code));
   return check_form_and_limits(block, source, words_plane, settings);
 }
 

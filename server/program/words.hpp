@@ -16,6 +16,9 @@ namespace cnclab::program {
 [[nodiscard]] language::Block read_parameters(language::Block block, const Parameters& parameters,
                                               const ExecutionState& state, const ProgramSet& programs);
 
+/// G04 whose H came out as 0: no dwell, and no error either (DEC-53).
+[[nodiscard]] bool is_dwell_of_nothing(const language::Block& block);
+
 /// Form, plane and limits of a block about to be executed.
 /// errors: plane_wrong (D-54), feed_above_limit, word_missing, word_out_of_range, word_not_allowed, m_unknown
 [[nodiscard]] Outcome check_words(const language::Block& block, geometry::SourceBlock source, geometry::Plane plane,
