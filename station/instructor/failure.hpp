@@ -1,0 +1,17 @@
+// Why a command or a login failed, with the exit code that tells scripts so.
+#pragma once
+
+#include <string>
+
+namespace cnclab::instructor {
+
+inline constexpr int kRefused = 1;  ///< the server refused the command, or its answer could not be kept
+
+/// exit_code   1 for a refused command, else as the station's (interfaces.md section 3)
+/// text        what happened, where, what to do; for stderr behind "error: "
+struct Failure {
+  int exit_code = kRefused;
+  std::string text;
+};
+
+}  // namespace cnclab::instructor

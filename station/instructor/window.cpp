@@ -1,0 +1,92 @@
+// The terminal under the console: ncurses with wide characters, colours left to the user, mouse.
+#define NCURSES_WIDECHAR 1
+#include "instructor/window.hpp"
+
+#include <curses.h>
+
+#include <algorithm>
+#include <clocale>
+#include <cstdio>
+
+namespace cnclab::instructor {
+namespace {
+
+attr_t curses_attribute(Attribute attribute) {
+  switch (attribute) {
+    case Attribute::normal:
+      return A_NORMAL;
+    case Attribute::inverse:
+      return A_REVERSE;
+    case Attribute::bold:
+      return A_BOLD;
+    case Attribute::dim:
+      return A_DIM;
+  }
+  return A_NORMAL;
+}
+
+std::optional<Input> key_input(wint_t key) {
+  constexpr int kHaltKey = 12;
+  if (key == KEY_UP) return Special::up;
+  if (key == KEY_DOWN) return Special::down;
+  if (key == KEY_ENTER) return Special::enter;
+  if (key == KEY_F(kHaltKey)) return Special::halt;
+  if (key != KEY_MOUSE) return std::nullopt;
+  MEVENT event{};
+  if (getmouse(&event) != OK || (event.bstate & (BUTTON1_PRESSED | BUTTON1_CLICKED)) == 0) return std::nullopt;
+  return Clicked{event.y};
+}
+
+Input character_input(wint_t character) {
+  constexpr wint_t kEscape = 27;
+  if (character == L'\n' || character == L'\r') return Special::enter;
+  if (character == kEscape) return Special::escape;
+  return Typed{static_cast<char32_t>(character)};
+}
+
+}  // namespace
+
+Window::Window() {
+  std::setlocale(LC_ALL, "");
+  initscr();
+  set_escdelay(25);  // ms until a lone Esc is one
+  cbreak();
+  noecho();
+  nonl();
+  curs_set(0);
+  keypad(stdscr, TRUE);
+  nodelay(stdscr, TRUE);
+  mouseinterval(0);
+  mousemask(BUTTON1_PRESSED | BUTTON1_CLICKED, nullptr);
+}
+
+Window::~Window() { endwin(); }
+
+void Window::show(const Screen& screen) {
+  const int rows = std::min(LINES, Screen::kRows);
+  const int columns = std::min(COLS, Screen::kColumns);
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const Cell& cell = screen.at(row, column);
+      const wchar_t text[] = {static_cast<wchar_t>(cell.code), L'\0'};
+      cchar_t character{};
+      setcchar(&character, text, curses_attribute(cell.attribute), 0, nullptr);
+      mvadd_wch(row, column, &character);
+    }
+  }
+  refresh();
+}
+
+std::optional<Input> Window::next_input() {
+  wint_t key = 0;
+  switch (get_wch(&key)) {
+    case OK:
+      return character_input(key);
+    case KEY_CODE_YES:
+      return key_input(key);
+    default:
+      return std::nullopt;
+  }
+}
+
+}  // namespace cnclab::instructor

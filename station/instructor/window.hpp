@@ -1,0 +1,25 @@
+// The terminal under the console: ncurses with wide characters, colours left to the user, mouse.
+#pragma once
+
+#include <optional>
+
+#include "instructor/console_model.hpp"
+#include "shared/screen.hpp"
+
+namespace cnclab::instructor {
+
+/// One at a time; the terminal is as before when it goes.
+class Window {
+ public:
+  Window();
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Brings the screen to the terminal's top left corner; what does not fit is cut.
+  void show(const Screen& screen);
+  /// What the user did; nothing while they do nothing. Never waits.
+  [[nodiscard]] std::optional<Input> next_input();
+};
+
+}  // namespace cnclab::instructor
