@@ -3,8 +3,8 @@
 
 #include <fcntl.h>
 #include <poll.h>
-#include <sys/pidfd.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -12,6 +12,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <string_view>
 #include <system_error>
 
@@ -74,7 +75,10 @@ int exit_code_of(int status) {
 
 }  // namespace
 
-std::filesystem::path programs_folder() { return CNCLAB_BIN; }
+std::filesystem::path programs_folder() {
+  const char* chosen = std::getenv("CNCLAB_PROGRAMS");
+  return chosen != nullptr ? chosen : CNCLAB_BIN;
+}
 
 std::vector<char*> pointers_to(std::vector<std::string>& strings) {
   std::vector<char*> pointers;
@@ -95,7 +99,8 @@ std::vector<std::string> environment_with(const std::vector<std::pair<std::strin
 }
 
 std::optional<int> wait_for_exit(pid_t pid, Milliseconds limit) {
-  const Descriptor process(pidfd_open(pid, 0));
+  // glibc 2.36 declares pidfd_open without C linkage, so a C++ program cannot link it.
+  const Descriptor process(static_cast<int>(syscall(SYS_pidfd_open, pid, 0)));
   if (process.get() < 0 || !is_readable(process.get(), Deadline(limit))) return std::nullopt;
   int status = 0;
   if (waitpid(pid, &status, 0) != pid) return std::nullopt;

@@ -14,7 +14,7 @@
 
 namespace cnclab::harness {
 
-/// The folder with the programs under test (build/bin).
+/// The folder with the programs under test: build/bin, or what the environment variable CNCLAB_PROGRAMS names.
 [[nodiscard]] std::filesystem::path programs_folder();
 
 struct Launch {

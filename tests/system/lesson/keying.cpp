@@ -1,6 +1,8 @@
 // Blocks as key presses and as tape text.
 #include "keying.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,12 +40,6 @@ constexpr auto kOrders = std::to_array<Order>({
     {"91", {"", "", ""}},
 });
 
-std::string padded(int value, int digits) {
-  std::string text = std::to_string(value);
-  text.insert(0, static_cast<std::size_t>(std::max(0, digits - static_cast<int>(text.size()))), '0');
-  return text;
-}
-
 int digits_of(char address) {
   switch (address) {
     case 'N':
@@ -58,9 +54,11 @@ int digits_of(char address) {
 }
 
 std::string tape_value(char address, const std::string& value) {
-  if (!kMillimetres.contains(address)) return padded(std::atoi(value.c_str()), digits_of(address));
+  if (!kMillimetres.contains(address)) {
+    return fmt::format("{:0{}}", std::atoi(value.c_str()), digits_of(address));
+  }
   const long micrometres = std::lround(std::strtod(value.c_str(), nullptr) * 1000);
-  return (micrometres < 0 ? "-" : "+") + std::to_string(std::labs(micrometres));
+  return fmt::format("{:+}", micrometres);
 }
 
 }  // namespace
@@ -104,7 +102,7 @@ std::vector<std::string> key_commands(const WrittenBlock& block, int plane) {
 }
 
 std::string tape_text(const WrittenBlock& block, int number, int plane) {
-  std::string text = "N" + padded(number, 3) + "G" + block.function;
+  std::string text = fmt::format("N{:03}G{}", number, block.function);
   for (const char address : word_order(block.function, plane)) {
     if (const auto word = block.words.find(address); word != block.words.end()) {
       text += address + tape_value(address, word->second);
@@ -114,7 +112,7 @@ std::string tape_text(const WrittenBlock& block, int number, int plane) {
 }
 
 std::string tape_text(const WrittenProgram& program) {
-  std::string text = "P" + padded(program.number, 4);
+  std::string text = fmt::format("P{:04}", program.number);
   int plane = 17;
   int number = 0;
   for (const std::string& line : program.blocks) {

@@ -24,7 +24,8 @@ Part rectangle() {
           .title = "rectangle 30 x 20, incremental",
           .programs = {{1, {"G91", "G11 F3000 S2000 M03", "G01 X30", "G01 Y20", "G01 X-30", "G01 Y-20 M05"}}},
           .curves = {Line{{30, 0, 0}}, Line{{30, 20, 0}}, Line{{0, 20, 0}}, Line{{0, 0, 0}}},
-          .rests = {}};
+          .rests = {},
+          .shown_at_end = {}};
 }
 
 Part triangle() {
@@ -33,7 +34,8 @@ Part triangle() {
           .programs = {{1, {"G90", "G68 X0 Y0 Z0", "G11 F3000", "G01 X40 Y0", "G01 X20 Y34.641", "G01 X0 Y0", "G91"}}},
           .curves = {Line{{40, 0, 0}}, Line{{20, to_thousandths(20 * std::tan(kPi / 3)), 0}}, Line{{0, 0, 0}}},
           .is_absolute = true,
-          .rests = {}};
+          .rests = {},
+          .shown_at_end = {}};
 }
 
 Part manuals_circle() {
@@ -43,7 +45,8 @@ Part manuals_circle() {
       .programs = {{1,
                     {"G11 F3000", "G01 X20 Y20", "G02 X0.005 Y-0.005 I10 J10", "G01 X-0.005 Y0.005", "G01 X-20 Y-20"}}},
       .curves = {Line{{20, 20, 0}}, arc_xy(Turn::cw, 30, 30, 20.005, 19.995), Line{{20, 20, 0}}, Line{{0, 0, 0}}},
-      .rests = {}};
+      .rests = {},
+      .shown_at_end = {}};
 }
 
 Part circle_in_two_blocks() {
@@ -51,7 +54,8 @@ Part circle_in_two_blocks() {
           .title = "full circle in two blocks",
           .programs = {{1, {"G17", "G91", "G11 F3000", "G02 X0.005 Y-0.005 I20 J0", "G01 X-0.005 Y0.005"}}},
           .curves = {arc_xy(Turn::cw, 20, 0, 0.005, -0.005), Line{{0, 0, 0}}},
-          .rests = {}};
+          .rests = {},
+          .shown_at_end = {}};
 }
 
 Part circle_in_one_block() {
@@ -59,7 +63,8 @@ Part circle_in_one_block() {
           .title = "full circle in one block, with lead-in",
           .programs = {{1, {"G17", "G91", "G01 X15 F3000", "G03 X0 Y0 I-15 J0", "G01 X-15"}}},
           .curves = {Line{{15, 0, 0}}, arc_xy(Turn::ccw, 0, 0, 15, 0), Line{{0, 0, 0}}},
-          .rests = {}};
+          .rests = {},
+          .shown_at_end = {}};
 }
 
 Part slot() {
@@ -68,7 +73,8 @@ Part slot() {
       .title = "long hole, two half circles",
       .programs = {{1, {"G17", "G91", "G01 X30 F3000", "G03 X0 Y20 I0 J10", "G01 X-30", "G03 X0 Y-20 I0 J-10"}}},
       .curves = {Line{{30, 0, 0}}, arc_xy(Turn::ccw, 30, 10, 30, 20), Line{{0, 20, 0}}, arc_xy(Turn::ccw, 0, 10, 0, 0)},
-      .rests = {}};
+      .rests = {},
+      .shown_at_end = {}};
 }
 
 // G18 is seen against +Y: angles count from Z towards X (D-128). Clockwise from (10, 0) about (20, 0) the tool goes
@@ -83,7 +89,8 @@ Part arches_in_xz() {
                          "G01 X-10 Z-15", "G17"}}},
           .curves = {Line{{10, 0, 0}}, down, Line{{30, 0, 15}}, back, Line{{0, 0, 0}}},
           .view = "xz",
-          .rests = {}};
+          .rests = {},
+          .shown_at_end = {}};
 }
 
 Part rounded_frame_in_yz() {
@@ -98,7 +105,8 @@ Part rounded_frame_in_yz() {
           .curves = {Line{{0, 16, 0}}, corner(16, 8, 24, 8), Line{{0, 24, 18}}, corner(16, 18, 16, 26),
                      Line{{0, 0, 26}}, corner(0, 18, -8, 18), Line{{0, -8, 8}}, corner(0, 8, 0, 0)},
           .view = "yz",
-          .rests = {}};
+          .rests = {},
+          .shown_at_end = {}};
 }
 
 Part row_of_holes() {
@@ -114,7 +122,8 @@ Part row_of_holes() {
                        {2, {"G00 X10", "G01 Z-4", "G00 Z4"}}},
           .curves = curves,
           .view = "xz",
-          .rests = {}};
+          .rests = {},
+          .shown_at_end = {}};
 }
 
 Part wave() {
@@ -130,7 +139,8 @@ Part wave() {
           .programs = {{1, {"G17", "G91", "G11 F3000", "G22 P0010 N001 W02", "G00 X-48"}},
                        {10, {"G03 X8 Y0 I4 J0", "G02 X8 Y0 I4 J0"}}},
           .curves = curves,
-          .rests = {}};
+          .rests = {},
+          .shown_at_end = {}};
 }
 
 Part stairs() {
@@ -154,7 +164,8 @@ Part stairs() {
                        {3, {"G01 X6", "G01 Y4"}}},
           .curves = curves,
           .view = "iso",
-          .rests = {}};
+          .rests = {},
+          .shown_at_end = {}};
 }
 
 // A five-pointed star in a circle of radius 12; the tool starts at the top point and joins every second corner.
@@ -171,7 +182,8 @@ Part star() {
                          "G01 X-11.413 Y-8.292", "G01 X7.053 Y-21.708", "G01 X0 Y0", "G91"}}},
           .curves = curves,
           .is_absolute = true,
-          .rests = {}};
+          .rests = {},
+          .shown_at_end = {}};
 }
 
 // Half circles that grow: each begins where the last one ends, with the same tangent, on the X axis.
@@ -191,7 +203,8 @@ Part spiral() {
                         {"G17", "G91", "G11 F3000", "G03 X-8 Y0 I-4 J0", "G03 X12 Y0 I6 J0", "G03 X-16 Y0 I-8 J0",
                          "G03 X20 Y0 I10 J0", "G00 X-8"}}},
           .curves = curves,
-          .rests = {}};
+          .rests = {},
+          .shown_at_end = {}};
 }
 
 // After the dwell the place gets the name 0/0/0; from there the drawing is in absolute dimensions.
@@ -204,7 +217,8 @@ Part shifted_zero() {
           .curves = {Line{{20, 10, 0}}, Line{{35, 10, -5}}, Line{{35, 25, -5}}, Line{{0, 0, 0}}},
           .view = "iso",
           .is_absolute = true,
-          .rests = {{{20, 10, 0}, 0.5}}};
+          .rests = {{{20, 10, 0}, 0.5}},
+          .shown_at_end = {-20, -10, 0}};
 }
 
 // A regular hexagon with sides of 12, begun at its rightmost corner; G20 jumps over a block that nobody may run.
@@ -220,7 +234,8 @@ Part hexagon() {
                         {"G91", "G01 X-6 Y10.392 F3000", "G01 X-12", "G01 X-6 Y-10.392", "G20 P0001 N007", "G00 Z-40",
                          "G01 X6 Y-10.392", "G01 X12", "G01 X6 Y10.392"}}},
           .curves = curves,
-          .rests = {}};
+          .rests = {},
+          .shown_at_end = {}};
 }
 
 }  // namespace

@@ -23,6 +23,7 @@ struct Part {
   std::string view = "xy";               ///< for the picture: xy, xz, yz or iso
   bool is_absolute = false;              ///< moves under G90: the zero is confirmed by a second START (DEC-27)
   std::vector<Rest> rests;
+  Point shown_at_end{};  ///< Istwert at the end, begun at 0 / 0 / 0; differs where G68 renames the place
 };
 
 /// One for each station, 1 to 15 in this order; all end where they began.
