@@ -63,7 +63,7 @@ using Words = boost::container::static_vector<Word, kMostWords>;
 struct Block {
   std::uint16_t number = 0;  ///< N001..N999; T001..T099 in P0000
   Function function;
-  Words words;              ///< only those that have a value, in the order of the block form
+  Words words = {};         ///< only those that have a value, in the order of the block form
   bool is_damaged = false;  ///< its check code did not fit when it was read (STO-003); never executed
 
   [[nodiscard]] const Word* find(Address address) const {
@@ -77,7 +77,7 @@ struct Block {
 /// A program: blocks in ascending order of their numbers, which may have gaps (EDIT-032). P0000 is the tool table.
 struct Program {
   std::uint16_t number = 0;
-  std::vector<Block> blocks;
+  std::vector<Block> blocks = {};
 
   /// Position of block `n` in `blocks`, or nothing.
   [[nodiscard]] std::optional<std::size_t> find(std::uint16_t n) const;

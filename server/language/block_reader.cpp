@@ -47,6 +47,7 @@ void sort_words(Block& block, const BlockForm& form) {
 }  // namespace
 
 bool BlockReader::fail(ErrorCode code, char word, std::string detail, std::string expected) {
+  if (code == ErrorCode::word_missing) word_line_ = block_line_;  // the cursor may stand on a line further down
   fault_ = {
       .code = code, .word = word, .detail = std::move(detail), .expected = std::move(expected), .line = word_line_};
   return false;
@@ -89,6 +90,7 @@ std::optional<BlockStart> BlockReader::read_start() {
 
 bool BlockReader::read(Block& block, bool is_tool) {
   is_at_end_ = false;
+  block_line_ = cursor_.line();
   if (!read_function(block, is_tool)) return false;
   return read_words(block, is_tool);
 }
@@ -100,8 +102,7 @@ bool BlockReader::read_function(Block& block, bool is_tool) {
   }
   word_line_ = cursor_.line();
   if (!starts_function()) {
-    const char found = cursor_.current();
-    return fail(ErrorCode::text_malformed, 'G', is_letter(found) ? std::string(1, found) : std::string{}, "G00..G91");
+    return fail(ErrorCode::word_missing, 'G', "", "G00..G91");
   }
   const auto kind = cursor_.current() == 'G' ? Function::Kind::g : Function::Kind::parametric;
   cursor_.advance();
@@ -283,25 +284,35 @@ bool BlockReader::check_range(const Word& word) {
 void BlockReader::recover(bool is_tool) {
   while (!ends_block(~AddressSet{0}, false)) {
     const char c = cursor_.current();
-    const int line = cursor_.line();
-    cursor_.advance();
     if (c == 'P') {
-      const auto program = read_digits(4);
-      const char expected = program == kToolTable ? 'T' : 'N';
-      if (!program || cursor_.current() != expected) continue;
+      if (find_program()) return;
+    } else if (c == (is_tool ? 'T' : 'N')) {
+      if (find_start(is_tool)) return;
+    } else {
       cursor_.advance();
-      const auto number = read_digits(3);
-      if (!number || *number == 0 || (expected == 'N' && !starts_function())) continue;
-      next_program_ = *program;
-      next_start_ = BlockStart{*number, line};
-      return;
     }
-    if (c != (is_tool ? 'T' : 'N')) continue;
-    const auto number = read_digits(3);
-    if (!number || *number == 0 || (!is_tool && !starts_function())) continue;
-    next_start_ = BlockStart{*number, line};
-    return;
   }
+}
+
+/// "P0001N001G": a program's beginning, not a target.
+bool BlockReader::find_program() {
+  cursor_.advance();
+  const auto program = read_digits(4);
+  if (!program) return false;
+  const bool is_tool = *program == kToolTable;
+  if (cursor_.current() != (is_tool ? 'T' : 'N') || !find_start(is_tool)) return false;
+  next_program_ = *program;
+  return true;
+}
+
+/// "N001G", in P0000 "T001".
+bool BlockReader::find_start(bool is_tool) {
+  const int line = cursor_.line();
+  cursor_.advance();
+  const auto number = read_digits(3);
+  if (!number || *number == 0 || (!is_tool && !starts_function())) return false;
+  next_start_ = BlockStart{*number, line};
+  return true;
 }
 
 }  // namespace cnclab::language

@@ -64,6 +64,8 @@ class BlockReader {
   [[nodiscard]] bool read_plain_number(Word& word);
   [[nodiscard]] bool read_target(Word& word);
   [[nodiscard]] bool check_range(const Word& word);
+  [[nodiscard]] bool find_program();
+  [[nodiscard]] bool find_start(bool is_tool);
   [[nodiscard]] bool finish(Block& block, AddressSet found);
   [[nodiscard]] Number read_number();
   [[nodiscard]] bool starts_function() const { return cursor_.current() == 'G' || cursor_.current() == '\\'; }
@@ -72,6 +74,7 @@ class BlockReader {
   TapeCursor& cursor_;
   std::optional<BlockStart> next_start_;
   std::optional<std::uint16_t> next_program_;
+  int block_line_ = 0;
   int word_line_ = 0;
   bool is_at_end_ = false;
   Error fault_;

@@ -13,8 +13,12 @@ using Check = std::expected<void, Error>;
 
 std::unexpected<Error> fault(const Block& block, ErrorCode code, char word, std::string detail = {},
                              std::string expected = {}) {
-  return std::unexpected(Error{
-      .code = code, .block = block.number, .word = word, .detail = std::move(detail), .expected = std::move(expected)});
+  return std::unexpected(Error{.code = code,
+                               .block = block.number,
+                               .word = word,
+                               .detail = std::move(detail),
+                               .expected = std::move(expected),
+                               .in_tool_table = block.function.kind == Function::Kind::tool});
 }
 
 bool is_g(const Block& block, int code) {

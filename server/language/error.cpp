@@ -7,8 +7,8 @@ namespace cnclab::language {
 
 namespace {
 
-/// One language's texts. In sentences {0} is the word with what was found ("F 4000"), {1} what would be right with a
-/// blank and parentheses around it, or nothing.
+/// One language's texts. In sentences {0} is the word with what was found ("F 4000"), {1} is ", richtig: 0001..3000"
+/// or nothing. No parentheses: a sentence can stand in a program's comment.
 struct Texts {
   std::string_view monitor;
   std::string_view sentence;
@@ -24,8 +24,8 @@ constexpr std::string_view kCheckBlockEnglish = "Check block";
 
 constexpr Row kRows[] = {
     {ErrorCode::function_unknown,
-     {"Funktion nicht vorgesehen", "{0} gibt es an dieser Steuerung nicht. Andere Funktion eingeben."},
-     {"Function not available", "{0} does not exist on this control. Enter another function."}},
+     {"Funktion nicht vorgesehen", "{0} gibt es an dieser Steuerung nicht{1}. Andere Funktion eingeben."},
+     {"Function not available", "{0} does not exist on this control{1}. Enter another function."}},
     {ErrorCode::word_missing,
      {kCheckBlock, "{0} fehlt{1}. Wort ergänzen."},
      {kCheckBlockEnglish, "{0} is missing{1}. Add the word."}},
@@ -75,8 +75,8 @@ constexpr Row kRows[] = {
      {"Parameter nur lesbar", "{0} kann nur gelesen werden{1}. Anderen Parameter nehmen."},
      {"Parameter read only", "{0} can only be read{1}. Use another parameter."}},
     {ErrorCode::transfer_wrong,
-     {"Uebertragung falsch", "Übertragung falsch bei {0}{1}. Daten prüfen, neu senden."},
-     {"Transfer wrong", "Transfer wrong at {0}{1}. Check the data, send again."}},
+     {"Uebertragung falsch", "{0}: Übertragung falsch{1}. Daten prüfen, neu senden."},
+     {"Transfer wrong", "{0}: transfer wrong{1}. Check the data, send again."}},
     {ErrorCode::reserved_for_cycles,
      {"Reserviert fuer Zyklen", "P9981 bis P9989 gehören den Zyklen{1}. Andere Nummer nehmen."},
      {"Reserved for cycles", "P9981 to P9989 belong to the cycles{1}. Use another number."}},
@@ -90,8 +90,8 @@ constexpr Row kRows[] = {
      {"Verfahrweg zu gross", "{0} verlässt den Verfahrweg{1}. Nullpunkt oder Weg ändern."},
      {"Travel exceeded", "{0} leaves the travel{1}. Change zero or way."}},
     {ErrorCode::block_number_wrong,
-     {kCheckBlock, "Satznummer {0} geht nicht{1}. Freie Nummer 001..999 wählen."},
-     {kCheckBlockEnglish, "Block number {0} does not work{1}. Choose a free one, 001..999."}},
+     {kCheckBlock, "Satznummer {0} geht nicht{1}. Andere Nummer wählen."},
+     {kCheckBlockEnglish, "Block number {0} does not work{1}. Choose another number."}},
     {ErrorCode::program_number_wrong,
      {"Programmnummer falsch", "Programmnummer {0} falsch{1}. P und vier Ziffern angeben."},
      {"Program number wrong", "Program number {0} wrong{1}. Give P and four digits."}},
@@ -130,7 +130,8 @@ std::string subject_of(const Error& error, Tongue tongue) {
     text = error.word;
   if (error.detail.empty()) {
     if (!text.empty()) return text;
-    return tongue == Tongue::german ? "dieser Satz" : "this block";
+    if (tongue == Tongue::german) return error.block == 0 ? "das Programm" : "der Satz";
+    return error.block == 0 ? "the program" : "the block";
   }
   if (error.detail.front() == error.word || text.empty()) return error.detail;  // "G99" and "#64" name the word too
   return text + ' ' + error.detail;
@@ -142,10 +143,11 @@ std::string_view monitor_text(ErrorCode code, Tongue tongue) { return texts_of(c
 
 std::string message_of(const Error& error, Tongue tongue) {
   const std::string_view right = tongue == Tongue::german ? "richtig" : "right";
-  const std::string expected = error.expected.empty() ? "" : fmt::format(" ({}: {})", right, error.expected);
+  const std::string expected = error.expected.empty() ? "" : fmt::format(", {}: {}", right, error.expected);
   std::string message =
       fmt::format(fmt::runtime(texts_of(error.code, tongue).sentence), subject_of(error, tongue), expected);
-  if (message.starts_with("dieser") || message.starts_with("this")) message.front() -= 'a' - 'A';
+  const bool is_small = message.front() >= 'a' && message.front() <= 'z';
+  if (is_small) message.front() = static_cast<char>(message.front() - ('a' - 'A'));
   return message;
 }
 
@@ -155,9 +157,9 @@ std::string explain(const Error& error, Tongue tongue) {
 }
 
 std::string place_of(const Error& error) {
-  if (error.program == 0 && error.block == 0) return {};
+  if (error.in_tool_table) return error.block == 0 ? "P0000" : fmt::format("P0000 T{:03}", error.block);
+  if (error.program == 0) return error.block == 0 ? "" : fmt::format("N{:03}", error.block);
   if (error.block == 0) return fmt::format("P{:04}", error.program);
-  if (error.program == 0) return fmt::format("N{:03}", error.block);
   return fmt::format("P{:04} N{:03}", error.program, error.block);
 }
 

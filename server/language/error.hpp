@@ -50,9 +50,10 @@ struct Error {
   std::uint16_t program = 0;
   std::uint16_t block = 0;
   char word = 0;
-  std::string detail = {};    ///< what was found, e.g. "4000"; may be empty
-  std::string expected = {};  ///< what would be right, e.g. "0001..3000"; may be empty
-  int line = 0;               ///< line of the file, from 1; 0 where there is none
+  std::string detail = {};     ///< what was found, e.g. "4000"; may be empty
+  std::string expected = {};   ///< what would be right, e.g. "0001..3000"; may be empty
+  int line = 0;                ///< line of the file, from 1; 0 where there is none
+  bool in_tool_table = false;  ///< `block` is a row of P0000: T001 instead of N001
   friend bool operator==(const Error&, const Error&) = default;
 };
 

@@ -65,17 +65,23 @@ class TapeReader {
       return;
     }
     close_program();
+    is_known_orphan_ = true;
     errors_.add({.code = ErrorCode::program_number_wrong, .word = 'P', .expected = "P0000..P9999", .line = line});
     blocks_.recover(false);
   }
 
   void read_block_head() {
     const int line = cursor_.line();
-    const char expected = is_tool_table() ? 'T' : 'N';
-    if (!is_open_ || cursor_.current() != expected) {
-      const auto code = is_open_ ? ErrorCode::text_malformed : ErrorCode::transfer_wrong;
-      const std::string head(is_open_ ? (is_tool_table() ? "T001" : "N001") : "P0001N001");
-      add_error({.code = code, .detail = std::string(1, cursor_.current()), .expected = head, .line = line});
+    if (!is_open_) {
+      fail_without_program(line);
+      return;
+    }
+    const std::string_view head = is_tool_table() ? "T001" : "N001";
+    if (cursor_.current() != head.front()) {
+      add_error({.code = ErrorCode::text_malformed,
+                 .detail = std::string(1, cursor_.current()),
+                 .expected = std::string(head),
+                 .line = line});
       blocks_.recover(is_tool_table());
       return;
     }
@@ -88,12 +94,13 @@ class TapeReader {
   }
 
   void read_block_at(BlockStart start) {
+    if (!is_open_) {
+      fail_without_program(start.line);
+      return;
+    }
     Block& block = read_.program.blocks.emplace_back();
     block.number = start.number;
-    if (!is_open_) {
-      fail_block(
-          {.code = ErrorCode::transfer_wrong, .block = start.number, .expected = "P0001N001", .line = start.line});
-    } else if (!blocks_.read(block, is_tool_table())) {
+    if (!blocks_.read(block, is_tool_table())) {
       Error error = std::move(blocks_.fault());
       error.block = start.number;
       fail_block(std::move(error));
@@ -116,6 +123,17 @@ class TapeReader {
     if (!blocks_.is_at_end_of_block()) blocks_.recover(is_tool_table());
   }
 
+  /// Blocks before the first "P0001": one error for all of them (D-102).
+  void fail_without_program(int line) {
+    if (!is_known_orphan_)
+      errors_.add({.code = ErrorCode::transfer_wrong,
+                   .detail = std::string(cursor_.current() > ' ' ? 1 : 0, cursor_.current()),
+                   .expected = "P0001N001",
+                   .line = line});
+    is_known_orphan_ = true;
+    blocks_.recover(false);
+  }
+
   void open_program(std::uint16_t number) {
     close_program();
     is_open_ = true;
@@ -134,7 +152,7 @@ class TapeReader {
       else if (!is_bad_)
         keep_program();
     }
-    is_open_ = is_bad_ = false;
+    is_open_ = is_bad_ = is_known_orphan_ = false;
     read_ = {};
     seen_.reset();
   }
@@ -168,6 +186,7 @@ class TapeReader {
   void add_error(Error error) {
     is_bad_ = true;
     if (is_open_) error.program = read_.program.number;
+    error.in_tool_table = is_tool_table();
     if (is_open_ && is_reserved_for_cycles(read_.program.number)) return;  // left out with a notice anyway
     errors_.add(std::move(error));
   }
@@ -192,9 +211,10 @@ class TapeReader {
   TapeCursor cursor_;
   BlockReader blocks_;
   Tape tape_;
-  ReadProgram read_;      ///< the program that is being read
-  bool is_open_ = false;  ///< there is one
-  bool is_bad_ = false;   ///< it has an error, so it is not kept
+  ReadProgram read_;              ///< the program that is being read
+  bool is_open_ = false;          ///< there is one
+  bool is_bad_ = false;           ///< it has an error, so it is not kept
+  bool is_known_orphan_ = false;  ///< there is none, and the error has been noted
   int line_of_program_ = 0;
   std::bitset<kLastBlock + 1> seen_;                      ///< its block numbers
   std::array<std::uint16_t, kLastProgram + 1> places_{};  ///< of each program in tape_.programs plus 1
@@ -215,6 +235,7 @@ std::expected<Block, Error> read_block(std::string_view text, std::uint16_t prog
   const auto fault = [&](Error error) {
     error.program = program;
     error.block = block.number;
+    error.in_tool_table = is_tool;
     return std::unexpected(std::move(error));
   };
   if (cursor.current() != (is_tool ? 'T' : 'N'))

@@ -35,6 +35,8 @@ void TapeCursor::skip() {
       return;
     } else if (reading_ == Reading::file && c >= 'a' && c <= 'z') {
       note_lower_case();
+      current_ = static_cast<char>(c - ('a' - 'A'));  // as it was meant, so that no other errors follow from it
+      return;
     } else if (is_arrow()) {
       position_ += kArrow.size() - 1;
       current_ = '\\';

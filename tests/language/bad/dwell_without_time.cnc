@@ -1,0 +1,3 @@
+(3: P0001 N001: H fehlt. Wort ergänzen.)
+P0001
+N001 G04

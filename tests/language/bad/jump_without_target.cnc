@@ -1,0 +1,4 @@
+(3: P0001 N001: N fehlt. Wort ergänzen.)
+P0001
+N001 G20 P0001
+N002 G17
