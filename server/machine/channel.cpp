@@ -1,0 +1,100 @@
+// The lab thread's side of a channel.
+#include "machine/channel.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "machine/channel_mailbox.hpp"
+#include "machine/channel_tick.hpp"
+
+namespace cnclab::machine {
+
+struct Channel::Impl {
+  Impl(Machine& machine, const MachineData& data)
+      : limits(motion_limits(data)), planner(queue, limits), ticker(machine, queue, mail, limits) {}
+
+  [[nodiscard]] bool order(const Order& what) {
+    if (!mail.orders.push({what, mail.stops.load(std::memory_order_relaxed)})) return false;
+    ++given;
+    queue.trim();
+    return true;
+  }
+
+  motion::Limits limits;  ///< of the newest machine data
+  motion::SegmentQueue queue;
+  motion::Planner planner;
+  Mailbox mail;
+  ChannelTick ticker;
+  std::unique_ptr<TraceRing> trace;
+  std::uint64_t given = 0;  ///< orders put into the ring
+  std::uint64_t trace_lost_seen = 0;
+  Epoch newest_epoch{};
+};
+
+Channel::Channel(Machine& machine, const MachineData& data) : impl_(std::make_unique<Impl>(machine, data)) {}
+Channel::~Channel() = default;
+
+motion::Planner* Channel::begin_run(Epoch epoch, const geometry::Point& position) {
+  const BeginRun order{epoch, impl_->planner.run() + 1, position, impl_->limits};
+  if (!impl_->order(order)) return nullptr;
+  impl_->planner.restart(impl_->limits);
+  return &impl_->planner;
+}
+
+motion::Planner& Channel::planner() { return impl_->planner; }
+const motion::SegmentQueue& Channel::queue() const { return impl_->queue; }
+bool Channel::command(const Command& command) { return impl_->order(command); }
+bool Channel::is_settled() const { return snapshot().orders == impl_->given; }
+
+void Channel::stop(StopCause cause) {
+  impl_->mail.stop_causes.fetch_or(1U << static_cast<unsigned>(cause), std::memory_order_release);
+  impl_->mail.stops.fetch_add(1, std::memory_order_release);
+}
+
+void Channel::set_override(double ratio) {
+  impl_->mail.override_ratio.store(std::clamp(ratio, 0.0, 1.0), std::memory_order_relaxed);
+}
+
+void Channel::set_single_block(bool on) { impl_->mail.single_block.store(on, std::memory_order_relaxed); }
+
+void Channel::grant(Epoch epoch, std::int64_t expiry_ns) {
+  if (epoch < impl_->newest_epoch) return;
+  impl_->newest_epoch = epoch;
+  impl_->mail.lease.store({epoch, expiry_ns});
+}
+
+void Channel::revoke(StopCause cause) {
+  impl_->mail.revoke_cause.store(cause, std::memory_order_relaxed);
+  impl_->mail.revoked_up_to.store(static_cast<std::uint64_t>(impl_->newest_epoch), std::memory_order_release);
+}
+
+bool Channel::set_data(const MachineData& data) {
+  const Snapshot now = snapshot();
+  const bool at_rest = now.state == MotionState::standstill || now.state == MotionState::off;
+  if (now.started || !at_rest || !is_settled()) return false;
+  const motion::Limits limits = motion_limits(data);
+  if (!impl_->order(UseLimits{limits})) return false;
+  impl_->limits = limits;
+  return true;
+}
+
+Snapshot Channel::snapshot() const { return impl_->mail.snapshot.load(); }
+
+void Channel::record_trace(bool on) {
+  if (on && !impl_->trace) {
+    impl_->trace = std::make_unique<TraceRing>();
+    impl_->mail.trace.store(impl_->trace.get(), std::memory_order_release);
+  }
+  impl_->mail.trace_on.store(on, std::memory_order_release);
+}
+
+std::uint64_t Channel::drain_trace(std::vector<TracePoint>& out) {
+  if (!impl_->trace) return 0;
+  while (const auto point = impl_->trace->pop()) out.push_back(*point);
+  const std::uint64_t lost = impl_->mail.trace_lost.load(std::memory_order_relaxed);
+  return lost - std::exchange(impl_->trace_lost_seen, lost);
+}
+
+void Channel::tick(std::int64_t now_ns, double tick_s) noexcept { impl_->ticker.tick(now_ns, tick_s); }
+
+}  // namespace cnclab::machine

@@ -1,7 +1,7 @@
 // One machine under control: the link between the lab thread, which plans and asks, and the tick, which moves.
 //
 //        lab thread                                        tick thread
-//   queue / planner ── segments ──▶ ┌──────────────────────────────────┐ ── steps, signals ──▶ Machine
+//   begin_run(), planner() ───────▶ ┌──────────────────────────────────┐ ── steps, signals ──▶ Machine
 //   command() ──── bounded ring ──▶ │ Channel::tick: authority, events,│ ◀── switches, inputs ──
 //   stop(), renew() ── atomics ───▶ │ Follower, limit switches, power  │
 //   snapshot() ◀───── seqlock ───── └──────────────────────────────────┘
@@ -12,13 +12,25 @@
 //     lease that never expires while its connection lives.
 //  2. A stop is a level that the tick reads first; it cannot queue behind anything and is never lost (AUTH-006).
 //  3. After a stop with a reason other than the operator's STOP the run is abandoned; nothing becomes active again
-//     without a new `Start` under a valid lease (AUTH-009), but for the 1 mm back-off from a limit switch.
+//     without a new `Go` under a valid lease (AUTH-009), but for the 1 mm back-off from a limit switch.
+//  4. Runs have numbers that only grow. `begin_run` makes one; what is appended to the planner carries it, and the tick
+//     drops everything of a run that was abandoned, also what the lab thread pushes in the same moment. So nothing of
+//     an old run can ever move under a later Go.
+//  5. Start commands (Go, Jog, RunReference, spindle or coolant on) remember how many stops there had been when they
+//     were given; one that is older than a stop is dropped. So a START that waits in the ring cannot undo a STOP.
+//
+// A run, seen from the lab thread
+//   auto* planner = channel.begin_run(epoch, start);   // at rest; nothing moves yet
+//   planner->append(item) …; planner->plan();          // again and again while the run lasts: at most 65 536 ahead
+//   channel.command(Go{epoch});                        // START; again after STOP, EINZELSATZ, halts
+//   channel.snapshot()                                 // until !started; run_active tells whether a rest is kept
+//   (D-39)
 #pragma once
 
 #include <array>
 #include <atomic>
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <variant>
 #include <vector>
 
@@ -34,52 +46,97 @@ namespace cnclab::machine {
 /// The number of a grant of control (AUTH-002); 0 is nobody's.
 enum class Epoch : std::uint64_t {};
 
-enum class MotionState : std::uint8_t { standstill, moving, stopping, halted, off };
+enum class MotionState : std::uint8_t {
+  standstill,
+  moving,    ///< a run, manual motion or reference run is under way; also in a dwell and with the potentiometer at 0
+  stopping,  ///< braking, or backing off a limit switch
+  halted,    ///< M00, M01, M16 …: the program waits in START state; Go releases it
+  off,       ///< drives without current
+};
 
 /// Why the last motion ended. The first cause wins until the next start.
 enum class StopCause : std::uint8_t {
-  none, operator_stop, program_end, programmed_halt, waiting_for_input, single_block,
-  limit_switch, power_off, machine_halt, lease_ended, lease_expired, error,
+  none,
+  operator_stop,
+  program_end,
+  programmed_halt,
+  waiting_for_input,
+  single_block,
+  limit_switch,
+  power_off,
+  machine_halt,
+  lease_ended,
+  lease_expired,
+  error,
 };
 
-// Commands from the lab thread; all but Abandon and PowerOff need a valid epoch.
-struct BeginRun { Epoch epoch{}; };          ///< a new path stands in the queue (or comes); wait for START
-struct Go { Epoch epoch{}; };                ///< START: run, go on after STOP, release a halt or a wait
-struct Abandon {};                           ///< forget the path, the state is STOP; the position stays
-struct SwitchSpindle { Epoch epoch{}; geometry::Spindle spindle; };
-struct SwitchCoolant { Epoch epoch{}; bool on = false; };
-struct SetIstwert { Epoch epoch{}; std::array<bool, 3> axes{}; std::array<double, 3> value_mm{}; };
-/// Manual motion in a direction until stop (HA, TI); speed = override × F MAX.
-struct Jog { Epoch epoch{}; std::array<std::int8_t, 3> direction{}; };
-struct RunReference { Epoch epoch{}; std::array<std::int8_t, 3> direction{}; };
+/// True where nothing of the run is kept: START begins anew.
+[[nodiscard]] bool abandons_run(StopCause cause);
+
+// Commands from the lab thread; all but Abandon, PowerOff and PowerOn need a valid epoch.
+struct Go {
+  Epoch epoch{};
+};  ///< START: run, go on after STOP, release a halt or a wait
+/// Forget the path (brakes with the STOP ramp first); the state is STOP, the position stays.
+struct Abandon {};
+struct SwitchSpindle {
+  Epoch epoch{};
+  geometry::Spindle spindle;
+};
+struct SwitchCoolant {
+  Epoch epoch{};
+  bool on = false;
+};
+struct SetIstwert {
+  Epoch epoch{};
+  std::array<bool, 3> axes{};
+  std::array<double, 3> value_mm{};
+};
+/// Manual motion in a direction until stop (HA, TI); path speed = override × F MAX, at 0 slow single steps (DEC-40).
+/// Refused towards an active limit switch (D-117). A run that was kept is abandoned.
+struct Jog {
+  Epoch epoch{};
+  std::array<std::int8_t, 3> direction{};
+};
+/// Named axes (direction != 0) to their limit switches, 1 mm back, Istwert 0 (D-11); a stop ends it.
+struct RunReference {
+  Epoch epoch{};
+  std::array<std::int8_t, 3> direction{};
+};
 struct PowerOff {};
 struct PowerOn {};
-using Command = std::variant<BeginRun, Go, Abandon, SwitchSpindle, SwitchCoolant, SetIstwert, Jog, RunReference,
-                             PowerOff, PowerOn>;
+using Command =
+    std::variant<Abandon, Go, SwitchSpindle, SwitchCoolant, SetIstwert, Jog, RunReference, PowerOff, PowerOn>;
 
 /// Everything the lab thread may want to know, as of one tick.
 struct Snapshot {
   std::uint64_t tick = 0;
   MotionState state = MotionState::off;
   StopCause cause = StopCause::none;
-  bool started = false;                        ///< START state: from START until rest after STOP or the end
-  std::array<std::int64_t, 4> steps{};         ///< actual position from where the channel began, X Y Z U
-  std::array<double, 4> istwert_mm{};          ///< counted steps, as the operator reads them (G68 applied)
-  std::array<double, 4> path_mm{};             ///< actual position in path coordinates, for traces
+  bool started = false;                 ///< START state: from START until rest after STOP or the end
+  std::uint64_t run = 0;                ///< number of the run that the tick has taken up last
+  bool run_active = false;              ///< it was neither ended nor abandoned: Go starts it or goes on with it
+  std::uint64_t orders = 0;             ///< begin_run, command, set_data taken so far (see is_settled)
+  Epoch epoch{};                        ///< the lease that the tick knows
+  bool lease_valid = false;             ///< false once it was revoked or has expired; it never comes back
+  std::array<std::int64_t, 4> steps{};  ///< actual position from where the channel began, X Y Z U
+  std::array<double, 4> istwert_mm{};   ///< counted steps, as the operator reads them (G68 applied)
+  std::array<double, 4> path_mm{};      ///< exact position in the coordinates of the run's path
   double speed_mm_per_min = 0;
-  std::uint64_t sequence = 0;                  ///< PathItem::sequence being done, or done last
-  geometry::SourceBlock source;                ///< its block
-  std::uint64_t finished_sequence = 0;         ///< last block done completely
+  std::uint64_t sequence = 0;           ///< PathItem::sequence being done, or done last
+  geometry::SourceBlock source;         ///< its block
+  std::uint64_t finished_sequence = 0;  ///< last block done completely
   geometry::SpindleTurn spindle = geometry::SpindleTurn::off;
   std::int32_t spindle_rpm = 0;
   bool coolant = false;
   std::array<std::uint8_t, 2> inputs{}, outputs{};
   bool input_1 = false;
-  std::array<bool, 4> limit{};                 ///< a switch of this axis is active
-  std::uint8_t limit_axis = 0xFF;              ///< axis of the last ENDSCHALTER stop, 0xFF none
+  std::array<bool, 4> limit{};     ///< a switch of this axis is active
+  std::uint8_t limit_axis = 0xFF;  ///< axis of the last ENDSCHALTER stop, 0xFF none
   bool is_referenced = false;
-  std::uint64_t signals = 0;                   ///< acoustic signals so far
-  std::uint64_t refused = 0;                   ///< commands refused for their epoch so far
+  std::uint64_t signals = 0;  ///< acoustic signals so far
+  std::uint64_t refused = 0;  ///< commands refused for their epoch so far
+  std::uint64_t dropped = 0;  ///< commands that did not fit the state (or came before a stop) so far
 };
 
 /// One tick as it really was, for traces; trivially copyable.
@@ -87,28 +144,43 @@ struct TracePoint {
   std::uint64_t tick = 0;
   std::array<std::int32_t, 4> steps{};  ///< position in path coordinates, X Y Z U
   float speed_mm_per_min = 0;
-  std::int32_t spindle_rpm = 0;         ///< negative counterclockwise
+  std::int32_t spindle_rpm = 0;  ///< negative counterclockwise
   geometry::SourceBlock source;
 };
 
 class Channel {
  public:
-  /// machine   outlives the channel
+  /// machine   outlives the channel; has seen no tick yet
   Channel(Machine& machine, const MachineData& data);
+  ~Channel();
+  Channel(const Channel&) = delete;
+  Channel& operator=(const Channel&) = delete;
 
   // --- lab thread ---------------------------------------------------------------------------------------------
-  [[nodiscard]] motion::SegmentQueue& queue() { return queue_; }
+  /// Begins a run from `position` (path coordinates of where the machine stands now) with the machine data that hold
+  /// now (DEC-28). A former run is abandoned. Append to the planner, `plan()`, then command(Go).
+  /// returns  the planner, restarted; nullptr when the command ring is full
+  /// The tick takes the run up only at rest and under a valid lease: snapshot().run == planner->run() tells.
+  [[nodiscard]] motion::Planner* begin_run(Epoch epoch, const geometry::Point& position);
+  /// The planner of the newest run.
+  [[nodiscard]] motion::Planner& planner();
+  [[nodiscard]] const motion::SegmentQueue& queue() const;
   /// False when the command ring is full (64 waiting): the lab treats that as a hung tick.
   [[nodiscard]] bool command(const Command& command);
-  /// Level: brake on the path and rest. Cleared by the next accepted Go.
+  /// True when the tick has taken everything given so far and snapshot() shows its effect: ask before concluding from
+  /// `started == false` that a run is over.
+  [[nodiscard]] bool is_settled() const;
+  /// Level: brake on the path and rest. Cleared by the next accepted Go, Jog or RunReference. Every cause but
+  /// operator_stop also switches spindle and coolant off and abandons the run.
   void stop(StopCause cause);
-  void set_override(double ratio);           ///< potentiometer 0..1
+  void set_override(double ratio);  ///< potentiometer 0..1
   void set_single_block(bool on);
-  /// Grants an epoch until `expiry_ns` of the tick's clock, or renews it. Epochs never go back.
+  /// Grants an epoch until `expiry_ns` of the tick's clock, or renews it. Epochs never go back: an older one, and one
+  /// that was revoked or that the tick has seen expire, stays invalid.
   void grant(Epoch epoch, std::int64_t expiry_ns);
   /// Takes the grant away: stop on the ramp, spindle and coolant off, run abandoned.
   void revoke(StopCause cause);
-  /// New machine data, at rest only (START takes a snapshot of them, DEC-28).
+  /// New machine data, at rest only; runs take them up when they begin (DEC-28). False while started or moving.
   [[nodiscard]] bool set_data(const MachineData& data);
   [[nodiscard]] Snapshot snapshot() const;
   /// From now on every tick of a run (START state) is kept in a bounded ring until it is drained; off by default.
@@ -121,8 +193,8 @@ class Channel {
   void tick(std::int64_t now_ns, double tick_s) noexcept;
 
  private:
-  Machine& machine_;
-  motion::SegmentQueue queue_;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
 };
 
 inline constexpr std::int64_t kNeverExpires = INT64_MAX;

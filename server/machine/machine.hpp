@@ -14,15 +14,15 @@ namespace cnclab::machine {
 
 /// Signals to the machine (HW-001 to HW-006, HW-019 to HW-021), as levels: the same every tick until they change.
 struct Outputs {
-  motion::AxisSteps steps{};     ///< X Y Z U, signed, for this tick alone
-  bool drives_on = true;         ///< false: Stromnullung
-  bool start = false;            ///< external signal Start
+  motion::AxisSteps steps{};  ///< X Y Z U, signed, for this tick alone
+  bool drives_on = true;      ///< false: Stromnullung
+  bool start = false;         ///< external signal Start
   geometry::SpindleTurn spindle = geometry::SpindleTurn::off;
   std::int32_t spindle_rpm = 0;
   bool coolant = false;
-  bool signal = false;           ///< acoustic signal, one tick per tone (M01, M15)
+  bool signal = false;                  ///< acoustic signal, one tick per tone (M01, M15)
   std::array<std::uint8_t, 2> cards{};  ///< outputs of I/O cards 1 and 2, bit 0 = line 1, 1 = active
-  std::int32_t s_digits = 0;     ///< I/O card 3
+  std::int32_t s_digits = 0;            ///< I/O card 3
 };
 
 /// Signals from the machine. Polarity of switches and inputs is already taken away: true is "active".

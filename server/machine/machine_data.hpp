@@ -6,6 +6,7 @@
 #include <expected>
 #include <map>
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "motion/limits.hpp"
@@ -14,9 +15,9 @@ namespace cnclab::machine {
 
 /// One machine datum as the control shows and checks it.
 struct DatumForm {
-  int number = 0;               ///< 3..22; 01 and 02 (clock, date) are no machine data of the store
-  std::string_view text;        ///< "X ACHSE", "F MAX", …
-  std::string_view unit;        ///< "1/1000 mm", "mm/min", …
+  int number = 0;                                  ///< 3..22; 01 and 02 (clock, date) are no machine data of the store
+  std::string_view text;                           ///< "X ACHSE", "F MAX", …
+  std::string_view unit;                           ///< "1/1000 mm", "mm/min", …
   std::int64_t least = 0, most = 0, standard = 0;  ///< standard = EPROM set
 };
 
@@ -32,6 +33,7 @@ class MachineData {
   [[nodiscard]] std::expected<void, std::string_view> set(int number, std::int64_t value);
 
   friend bool operator==(const MachineData&, const MachineData&) = default;
+  friend MachineData on_lab_machine(const MachineData& student, const MachineData& lab);
 
  private:
   std::map<int, std::int64_t> values_;

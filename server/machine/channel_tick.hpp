@@ -1,0 +1,127 @@
+// The tick side of a channel: authority first, then stops, orders, switches, motion, and what goes out.
+//
+// Everything here runs in the tick thread: it allocates nothing, locks nothing, waits for nothing. State is in few
+// plain members; which of them matter follows from `activity_`:
+//
+//   none ──Go──▶ run ──STOP, EINZELSATZ, end──▶ none          run ──limit switch──▶ back_off ──1 mm──▶ none
+//   none ──Jog──▶ hand ──stop, switch──▶ none                 none ──RunReference──▶ reference ──all done──▶ none
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+#include "machine/axis_counters.hpp"
+#include "machine/channel.hpp"
+#include "machine/channel_mailbox.hpp"
+#include "machine/manual_drives.hpp"
+
+namespace cnclab::machine {
+
+class ChannelTick {
+ public:
+  ChannelTick(Machine& machine, motion::SegmentQueue& queue, Mailbox& mail, const motion::Limits& limits);
+
+  void tick(std::int64_t now_ns, double tick_s) noexcept;
+
+ private:
+  enum class Activity : std::uint8_t { none, run, hand, reference, back_off };
+  enum class Waiting : std::uint8_t { no, dwell, halt, input, reference };
+  struct Run {
+    std::uint64_t number = 0;
+    bool is_active = false;         ///< neither ended nor abandoned
+    bool anchor_due = false;        ///< the next motion's start says what the present place is called
+    Waiting waiting = Waiting::no;  ///< for what the front event waits; kept through STOP (D-39)
+    double dwell_left_s = 0;
+    std::array<std::int64_t, 4> origin{};  ///< steps at path coordinate 0
+  };
+
+  // channel_authority.cpp: who may, and what stops
+  void guard_lease(std::int64_t now_ns) noexcept;
+  [[nodiscard]] bool may(Epoch epoch) noexcept;
+  void heed_stops() noexcept;
+  void stop_for(StopCause cause) noexcept;
+  void note_cause(StopCause cause) noexcept;
+  void come_to_rest(StopCause cause) noexcept;
+  void abandon_run() noexcept;
+  void heed_machine() noexcept;
+  void stop_at_switches(const Directions& active) noexcept;
+  void power_off() noexcept;
+  void lose_reference_if_fast() noexcept;
+  void switch_off_tools() noexcept;
+
+  // channel_orders.cpp: commands
+  void take_orders() noexcept;
+  void obey(const Command& command, bool is_fresh) noexcept;
+  void obey(const BeginRun& order, bool is_fresh) noexcept;
+  void obey(const UseLimits& order, bool is_fresh) noexcept;
+  [[nodiscard]] bool may_start(Epoch epoch, bool is_fresh) noexcept;
+  void go(Epoch epoch, bool is_fresh) noexcept;
+  void start_hand(const Jog& jog, bool is_fresh) noexcept;
+  void start_reference(const RunReference& reference, bool is_fresh) noexcept;
+  void set_istwert(const SetIstwert& command) noexcept;
+  void settle_limits() noexcept;
+  void use_limits(const motion::Limits& limits) noexcept;
+  void begin_activity(Activity activity) noexcept;
+
+  // channel_run.cpp: the program's path and events
+  void run_tick(double tick_s, const motion::Demand& demand) noexcept;
+  [[nodiscard]] bool wait_tick(double tick_s) noexcept;
+  [[nodiscard]] bool execute(const motion::Segment& event) noexcept;
+  void pass_event() noexcept;
+  void anchor_path() noexcept;
+  [[nodiscard]] bool place_axes(double tick_s) noexcept;
+  [[nodiscard]] bool is_input_active(const geometry::Wait& wait) const noexcept;
+  void set_output(const geometry::Output& output) noexcept;
+  void begin_program_reference(const geometry::Reference& reference) noexcept;
+  void end_program_reference() noexcept;
+
+  // channel_tick.cpp
+  void move(double tick_s) noexcept;
+  void hand_tick(double tick_s, double ratio) noexcept;
+  void reference_tick(double tick_s, double ratio) noexcept;
+  void back_off_tick(double tick_s) noexcept;
+  void send(const std::array<std::int64_t, 4>& before) noexcept;
+  void report() noexcept;
+  void trace(const Snapshot& state) noexcept;
+  [[nodiscard]] MotionState motion_state() const noexcept;
+  [[nodiscard]] std::array<double, 4> path_mm() const noexcept;
+
+  Machine& machine_;
+  Mailbox& mail_;
+  motion::Follower follower_;
+  motion::Limits limits_;
+  std::optional<motion::Limits> limits_due_;
+  AxisCounters counters_;
+  HandDrive hand_;
+  SwitchDrive switches_;
+  Inputs inputs_, inputs_before_;
+  Outputs outputs_;
+
+  Lease lease_;
+  bool lease_valid_ = false;
+  std::uint64_t expired_up_to_ = 0;
+  Epoch holder_{};  ///< under which whatever is active was started; 0: nothing is
+
+  Activity activity_ = Activity::none;
+  Activity activity_before_ = Activity::none;  ///< in the last tick's motion: the switches answer to that
+  Run run_;
+  bool started_ = false;
+  bool braking_ = false;
+  bool abandon_at_rest_ = false;
+  StopCause cause_ = StopCause::none;
+  double speed_mm_per_s_ = 0;
+  geometry::SourceBlock source_;
+  std::uint64_t sequence_ = 0;
+  std::array<bool, 3> referenced_{};
+  std::uint8_t limit_axis_ = 0xFF;
+  std::uint64_t tick_ = 0, stops_seen_ = 0, orders_ = 0, signals_ = 0, refused_ = 0, dropped_ = 0;
+  bool was_started_ = false;  ///< in the last tick: the tick in which a run ends is traced too
+};
+
+template <class... F>
+struct Overloaded : F... {
+  using F::operator()...;
+};
+
+}  // namespace cnclab::machine
