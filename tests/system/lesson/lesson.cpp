@@ -83,6 +83,13 @@ std::filesystem::path Lesson::file(const char* folder, const Part& part, const s
 Seat& Lesson::seat(int station) { return *seats_.at(static_cast<std::size_t>(station - 1)); }
 
 void Lesson::prepare_folder() {
+  for (const char* program : {"cnclab-server", "cnclab-station", "cnclab-instructor", "cnclab-tool"}) {
+    if (!std::filesystem::exists(harness::programs_folder() / program)) {
+      throw harness::Failure(
+          fmt::format("{} is not in {}: build it first (./lab lesson does), or name the folder with --bin", program,
+                      harness::programs_folder().string()));
+    }
+  }
   for (const char* folder : {"data", "traces", "tapes", "pictures", "logs", "state"}) {
     std::filesystem::remove_all(out_ / folder);
     if (std::string_view(folder) != "data") std::filesystem::create_directories(out_ / folder);

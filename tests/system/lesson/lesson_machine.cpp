@@ -64,7 +64,7 @@ void Lesson::give_machine_to(Seat& seat) {
     throw harness::Failure(seat.name() + " accepted with START but has no control: " + status.dump() + "\n" +
                            seat.process().text());
   }
-  seat.process().wait_for("MASCHINE");
+  seat.process().wait_gone("TRAINING");
   if (seat.is_started()) throw harness::Failure(seat.name() + ": the START that accepts started something");
   expect_machine_at(before, "START only accepted the offer (AUTH-005)");
 }
