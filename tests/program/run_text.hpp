@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <optional>
+#include <sstream>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,11 +31,10 @@ struct RunResult {
 
   /// The order in which blocks ran: "P1N1 P1N2 …".
   [[nodiscard]] std::string order() const {
-    std::string text;
+    std::ostringstream text;
     for (const ExecutedBlock& block : blocks)
-      text +=
-          (text.empty() ? "P" : " P") + std::to_string(block.source.program) + "N" + std::to_string(block.source.block);
-    return text;
+      text << (block.sequence == 1 ? "P" : " P") << block.source.program << 'N' << block.source.block;
+    return text.str();
   }
   /// JSON Lines as `cnclab-tool path` prints them.
   [[nodiscard]] std::string json() const {

@@ -1,0 +1,280 @@
+// The order of blocks: stored order, jumps, calls with repeats, nesting, ends, starts in the middle.
+#include <gmock/gmock.h>
+
+#include <iomanip>
+#include <sstream>
+
+#include "program/check_programs.hpp"
+#include "program/rebuild_modal.hpp"
+#include "run_text.hpp"
+
+namespace cnclab::program {
+namespace {
+
+using language::ErrorCode;
+using testing::IsEmpty;
+
+struct FlowRow {
+  const char* name;
+  const char* text;
+  const char* order;
+};
+
+class Flow : public testing::TestWithParam<FlowRow> {};
+
+TEST_P(Flow, RunsBlocksInThisOrder) {
+  const RunResult run = run_text(GetParam().text, 20);
+  EXPECT_FALSE(run.error);
+  EXPECT_EQ(run.order(), GetParam().order);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , Flow,
+    testing::Values(
+        FlowRow{"EDIT032_gaps", "P0001N001G17N010G18N900G19%", "P1N1 P1N10 P1N900"},
+        FlowRow{"G200_jump_within_the_program", "P0001N001G20P0001N003N002G17N003G18%", "P1N1 P1N3"},
+        FlowRow{"G200_jump_into_another_program", "P0001N001G20P0002N002\nP0002N001G17N002G18N003G19%",
+                "P1N1 P2N2 P2N3"},
+        FlowRow{"G220_call_and_return", "P0001N001G22P0002N001W00N002G17\nP0002N001G18N002G19%", "P1N1 P2N1 P2N2 P1N2"},
+        FlowRow{"G221_W00_once", "P0001N001G22P0002N001W00\nP0002N001G18%", "P1N1 P2N1"},
+        FlowRow{"D57_W02_three_times", "P0001N001G22P0002N001W02N002G17\nP0002N001G18%", "P1N1 P2N1 P2N1 P2N1 P1N2"},
+        FlowRow{"G220_repeats_from_the_called_block", "P0001N001G22P0002N002W01N002G17\nP0002N001G18N002G19N003G17%",
+                "P1N1 P2N2 P2N3 P2N2 P2N3 P1N2"},
+        FlowRow{"SYS006_calls_in_calls", "P0001N001G22P0002N001W01\nP0002N001G22P0003N001W01\nP0003N001G17%",
+                "P1N1 P2N1 P3N1 P3N1 P2N1 P3N1 P3N1"},
+        FlowRow{"D58_G20_keeps_the_way_back", "P0001N001G22P0002N001W00N002G17\nP0002N001G20P0003N001\nP0003N001G18%",
+                "P1N1 P2N1 P3N1 P1N2"},
+        FlowRow{"D57_repeat_after_G20_begins_at_the_called_program",
+                "P0001N001G22P0002N001W01N002G17\nP0002N001G20P0003N001\nP0003N001G18%",
+                "P1N1 P2N1 P3N1 P2N1 P3N1 P1N2"},
+        FlowRow{"D40_M02_in_a_subprogram_ends_all", "P0001N001G22P0002N001W05N002G17\nP0002N001G11M02N002G18%",
+                "P1N1 P2N1"},
+        FlowRow{"SYS006_part_of_the_own_program", "P0001N001G22P0001N003W00N002G20P0001N004N003G17N004G18%",
+                "P1N1 P1N3 P1N4 P1N2 P1N4"}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST(FlowStart, BeginsAtAnyStoredBlock_EX053) {
+  const RunResult run = run_text("P0002N003G17N010G18N900G19%", 9, {.program = 2, .block = 10});
+  EXPECT_EQ(run.order(), "P2N10 P2N900");
+}
+
+TEST(FlowStart, SaysWhatIsMissing) {
+  EXPECT_EQ(run_text("P0001N001G17%", 9, {.program = 2}).code(), ErrorCode::program_missing);
+  const RunResult run = run_text("P0001N001G17%", 9, {.block = 2});
+  ASSERT_EQ(run.code(), ErrorCode::block_missing);
+  EXPECT_EQ(language::place_of(*run.error), "P0001 N002");
+  EXPECT_EQ(run_text("P0000T001R+1L+1%", 9, {.program = 0}).code(), ErrorCode::program_missing);
+  EXPECT_EQ(run_text("P0001N001G17%", 9, {.program = 9985}).code(), ErrorCode::reserved_for_cycles);
+}
+
+struct ErrorRow {
+  const char* name;
+  const char* text;
+  ErrorCode code;
+  int program, block;
+};
+
+class FlowErrors : public testing::TestWithParam<ErrorRow> {};
+
+TEST_P(FlowErrors, NameTheBlock) {
+  const RunResult run = run_text(GetParam().text, 5000);
+  ASSERT_EQ(run.code(), GetParam().code);
+  EXPECT_EQ(run.error->program, GetParam().program);
+  EXPECT_EQ(run.error->block, GetParam().block);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , FlowErrors,
+    testing::Values(ErrorRow{"D58_G20_to_a_missing_program", "P0001N001G20P0002N001%", ErrorCode::program_missing, 1,
+                             1},
+                    ErrorRow{"D58_G22_to_a_missing_block", "P0001N001G17N002G22P0002N009W00\nP0002N001G17%",
+                             ErrorCode::block_missing, 1, 2},
+                    ErrorRow{"DEC64_G22_to_a_cycle", "P0001N001G22P9981N001W00%", ErrorCode::reserved_for_cycles, 1, 1},
+                    ErrorRow{"D58_call_of_itself", "P0001N001G22P0001N001W00%", ErrorCode::calls_itself, 1, 1},
+                    ErrorRow{"D58_two_that_call_each_other",
+                             "P0001N001G22P0002N001W00\nP0002N001G22P0003N001W00\nP0003N001G17N002G22P0002N001W00%",
+                             ErrorCode::calls_itself, 3, 2},
+                    ErrorRow{"G22_of_the_tool_table", "P0000T001R+1L+1\nP0001N001G22P0000N001W00%",
+                             ErrorCode::program_missing, 1, 1}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+/// P0001 calls P0002 calls … `calls` levels deep.
+std::string staircase(int calls) {
+  std::ostringstream text;
+  text << std::setfill('0');
+  for (int i = 1; i <= calls; ++i)
+    text << 'P' << std::setw(4) << i << "N001G22P" << std::setw(4) << i + 1 << "N001W00\n";
+  text << 'P' << std::setw(4) << calls + 1 << "N001G17%";
+  return text.str();
+}
+
+TEST(FlowDepth, SixteenLevelsAreAllowedSeventeenAreNot_D58) {
+  const RunResult allowed = run_text(staircase(16));
+  EXPECT_FALSE(allowed.error);
+  EXPECT_EQ(allowed.blocks.size(), 17u);
+  EXPECT_EQ(allowed.blocks.back().depth, 16);
+  EXPECT_EQ(allowed.blocks.back().main_program, 1);
+  const RunResult refused = run_text(staircase(17));
+  EXPECT_EQ(refused.code(), ErrorCode::nesting_too_deep);
+  EXPECT_EQ(refused.error->program, 17);
+}
+
+TEST(FlowLoop, AJumpToItselfReturnsFromEveryStep_DEC63) {
+  const RunResult run = run_text("P0001N001G20P0001N001%", 100'000);
+  EXPECT_EQ(run.blocks.size(), 100'000u);
+}
+
+TEST(FlowDisplay, M21AndM22HideBlocks_MOD059_MOD060) {
+  const auto shown = [](const RunResult& run) {
+    std::string text;
+    for (const ExecutedBlock& block : run.blocks) text += block.is_shown ? '+' : '-';
+    return text;
+  };
+  constexpr auto kSubprogram = "\nP0002N001G17N002G18%";
+  EXPECT_EQ(shown(run_text(std::string("P0001N001G11M21N002G22P0002N001W00N003G11M20N004G17") + kSubprogram)),
+            "+----+");
+  const RunResult run = run_text(std::string("P0001N001G11M22N002G22P0002N001W00N003G19") + kSubprogram);
+  EXPECT_EQ(shown(run), "++--+");
+  std::string passed;
+  for (const geometry::PathItem& item : run.items)
+    if (item.ends_block) passed += item.passes_single_block ? 'p' : 's';
+  EXPECT_EQ(passed, "sspps") << "KEY-046: EINZELSATZ stops in the main program only";
+}
+
+TEST(FlowUpcoming, FollowsStoredOrderAndG20Only_DEC63) {
+  const ProgramSet programs = programs_of(
+      "P0001N001G17N002G22P0002N001W00N003G20P0003N002\nP0002N001G18\nP0003N001G19N002G90N003G20P0001N001%");
+  auto interpreter = Interpreter::begin(programs, wide_settings(), {});
+  ASSERT_TRUE(interpreter);
+  const auto names = [&interpreter](std::size_t count) {
+    std::ostringstream text;
+    for (const auto& [source, block] : interpreter->upcoming(count)) {
+      EXPECT_EQ(block->number, source.block);
+      text << 'P' << source.program << 'N' << source.block << ' ';
+    }
+    return text.str();
+  };
+  EXPECT_EQ(names(7), "P1N1 P1N2 P1N3 P3N2 P3N3 P1N1 P1N2 ");
+  std::vector<geometry::PathItem> items;
+  ASSERT_TRUE(interpreter->step(items));
+  ASSERT_TRUE(interpreter->step(items));
+  EXPECT_EQ(names(5), "P2N1 ") << "the subprogram's stored order ends here";
+}
+
+TEST(FlowEnd, FurtherStepsRepeatTheLastAnswer) {
+  auto interpreter = Interpreter::begin(programs_of("P0001N001G17%"), wide_settings(), {});
+  ASSERT_TRUE(interpreter);
+  std::vector<geometry::PathItem> items;
+  ASSERT_TRUE(interpreter->step(items)->ended);
+  const std::size_t count = items.size();
+  EXPECT_TRUE(interpreter->step(items)->ended);
+  EXPECT_EQ(items.size(), count);
+  EXPECT_THAT(interpreter->upcoming(5), IsEmpty());
+}
+
+TEST(FlowEnd, AnErrorLeavesTheStateBeforeTheBlock) {
+  auto interpreter =
+      Interpreter::begin(programs_of("P0001N001G11F0500M03N002G02X+10000Y+0I+1000J+0%"), wide_settings(), {});
+  ASSERT_TRUE(interpreter);
+  std::vector<geometry::PathItem> items;
+  ASSERT_TRUE(interpreter->step(items));
+  const ModalState before = interpreter->modal();
+  const std::size_t count = items.size();
+  const auto first = interpreter->step(items);
+  ASSERT_FALSE(first);
+  EXPECT_EQ(first.error().code, ErrorCode::arc_wrong);
+  EXPECT_EQ(items.size(), count);
+  EXPECT_EQ(interpreter->modal(), before);
+  EXPECT_EQ(interpreter->step(items).error(), first.error());
+}
+
+struct UnsupportedRow {
+  const char* name;
+  const char* text;
+  const char* detail;
+  int block;
+};
+
+class Unsupported : public testing::TestWithParam<UnsupportedRow> {};
+
+TEST_P(Unsupported, IsSaidBeforeAnythingMoves) {
+  const RunResult run = run_text(GetParam().text);
+  ASSERT_EQ(run.code(), ErrorCode::not_in_this_version);
+  EXPECT_EQ(run.error->detail, GetParam().detail);
+  EXPECT_EQ(run.error->block, GetParam().block);
+  EXPECT_THAT(run.items, IsEmpty());
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    , Unsupported,
+    testing::Values(UnsupportedRow{"radius_compensation", "P0001N001G00X+1000N002G41%", "G41", 2},
+                    UnsupportedRow{"in_a_called_program", "P0001N001G22P0002N001W00\nP0002N001G17N007G69X+1000%", "G69",
+                                   7},
+                    UnsupportedRow{"parametric_function", "P0001N001G00X+1000N002\\00#01+5000%", "↓00", 2},
+                    UnsupportedRow{"cycle", "P0001N001G81Z-5000V002H0010%", "G81", 1}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST(UnsupportedReach, BlocksThatCannotBeReachedDoNotMatter) {
+  EXPECT_FALSE(run_text("P0001N001G20P0001N003N002G41N003G17%").error);
+  EXPECT_FALSE(run_text("P0001N001G11M02N002G41%").error);
+}
+
+TEST(RebuildModal, TakesGroupsAndWordsBeforeTheStartBlock_DEC26) {
+  const ProgramSet programs = programs_of(
+      "P0001N001G11F0800S0900T03M03N002G90N003G18N004G20P0001N009N005G11M23N006G11F#05N007G00X+1000"
+      "N008G11M24N009G91N010G11F0100M20%");
+  ModalState before;
+  before.coolant = true;
+  const ModalState modal = rebuild_modal(*programs.find(1), 9, before);
+  EXPECT_EQ(modal.feed_mm_per_min, 800);
+  EXPECT_EQ(modal.spindle_rpm, 900);
+  EXPECT_EQ(modal.tool, 3);
+  EXPECT_EQ(modal.plane, geometry::Plane::xz);
+  EXPECT_EQ(modal.dimension, Dimension::absolute);
+  EXPECT_TRUE(modal.potentiometer_off);
+  EXPECT_TRUE(modal.test_run);
+  EXPECT_EQ(modal.spindle, geometry::SpindleTurn::off) << "nothing is switched";
+  EXPECT_TRUE(modal.coolant);
+  EXPECT_EQ(rebuild_modal(*programs.find(1), 1, before), before);
+  EXPECT_FALSE(rebuild_modal(*programs.find(1), 999, before).test_run);
+}
+
+TEST(RebuildModal, TakesTheScale_DEC26) {
+  const ProgramSet programs = programs_of("P0001N001G75X-1000N002G22P0002N001W00N003G74N004G17%\nP0002N001G17%");
+  const ModalState scaled = rebuild_modal(*programs.find(1), 2, {});
+  EXPECT_TRUE(scaled.scale_on);
+  EXPECT_EQ(scaled.scale, (std::array<std::int64_t, 3>{-1000, 1000, 1000}));
+  EXPECT_EQ(rebuild_modal(*programs.find(1), 4, {}), ModalState{});
+}
+
+TEST(CheckPrograms, FindsEveryFaultOfEveryProgram) {
+  const ProgramSet programs =
+      programs_of("P0001N001G00N002G20P0007N001N003G22P0002N009W00N004G01X+600000\nP0002N001G11F4000N002G41N003G17%");
+  std::string found;
+  for (const language::Error& error : check_blocks(programs, Settings{}))
+    found += language::place_of(error) + " " + std::to_string(static_cast<int>(error.code)) + "\n";
+  const auto line = [](const char* place, ErrorCode code) {
+    return std::string(place) + " " + std::to_string(static_cast<int>(code)) + "\n";
+  };
+  EXPECT_EQ(found, line("P0001 N001", ErrorCode::word_missing) + line("P0001 N002", ErrorCode::program_missing) +
+                       line("P0001 N003", ErrorCode::block_missing) + line("P0001 N004", ErrorCode::word_out_of_range) +
+                       line("P0002 N001", ErrorCode::feed_above_limit) +
+                       line("P0002 N002", ErrorCode::not_in_this_version));
+}
+
+TEST(CheckPrograms, DryRunFindsWhatOnlyExecutionShows) {
+  const auto dry = [](std::string_view text) { return dry_run(programs_of(text), wide_settings(), {}, 100'000); };
+  EXPECT_EQ(dry("P0001N001G01X+1000%")->code, ErrorCode::feed_missing);
+  EXPECT_FALSE(dry("P0001N001G01X+1000F0100N002G20P0001N001%")) << "a loop is no fault";
+}
+
+TEST(CheckPrograms, StartProgramsAreThoseThatNobodyCalls) {
+  const ProgramSet programs =
+      programs_of("P0000T001R+1L+1\nP0001N001G22P0002N001W00\nP0002N001G17\nP0003N001G20P0003N001\nP0004N001G17%");
+  EXPECT_EQ(start_programs(programs), (std::vector<std::uint16_t>{1, 3, 4}));
+  EXPECT_EQ(start_programs(programs_of("P0005N001G20P0006N001\nP0006N001G20P0005N001%")),
+            (std::vector<std::uint16_t>{5}));
+}
+
+}  // namespace
+}  // namespace cnclab::program

@@ -1,0 +1,207 @@
+// F, S, T, M and the other events: what they are, and in which order the machine gets them.
+#include <gmock/gmock.h>
+
+#include "run_text.hpp"
+
+namespace cnclab::program {
+namespace {
+
+using language::ErrorCode;
+using testing::ElementsAre;
+
+/// Short names of the items of a run: "spindle cw 500", "line", "mark" …
+std::vector<std::string> names_of(const RunResult& result) {
+  struct Namer {
+    std::string operator()(const geometry::Line& line) const { return line.is_rapid ? "rapid" : "line"; }
+    std::string operator()(const geometry::Arc&) const { return "arc"; }
+    std::string operator()(const geometry::Dwell& dwell) const { return "dwell " + number(dwell.seconds); }
+    std::string operator()(const geometry::Spindle& spindle) const {
+      if (spindle.turn == geometry::SpindleTurn::off) return "spindle off";
+      return (spindle.turn == geometry::SpindleTurn::clockwise ? "spindle cw " : "spindle ccw ") + number(spindle.rpm);
+    }
+    std::string operator()(const geometry::Coolant& coolant) const { return coolant.on ? "coolant on" : "coolant off"; }
+    std::string operator()(const geometry::ToolChange& tool) const {
+      return "tool " + number(tool.number) + " R" + number(tool.radius_mm) + " L" + number(tool.length_mm);
+    }
+    std::string operator()(const geometry::Output& output) const {
+      return "output " + number(output.card) + "." + number(output.line) + (output.on ? " on" : " off");
+    }
+    std::string operator()(const geometry::Wait& wait) const {
+      return "wait " + number(wait.card) + "." + number(wait.line);
+    }
+    std::string operator()(const geometry::SetActual&) const { return "set"; }
+    std::string operator()(const geometry::Reference&) const { return "reference"; }
+    std::string operator()(const geometry::Halt& halt) const { return halt.signal ? "halt signal" : "halt"; }
+    std::string operator()(const geometry::Signal&) const { return "signal"; }
+    std::string operator()(const geometry::SpindleDigits& digits) const { return "digits " + number(digits.rpm); }
+    std::string operator()(const geometry::End&) const { return "end"; }
+    std::string operator()(const geometry::Mark&) const { return "mark"; }
+    static std::string number(double value) {
+      std::string text;
+      geometry::append_number(text, value);
+      return text;
+    }
+  };
+  std::vector<std::string> names;
+  for (const geometry::PathItem& item : result.items) names.push_back(std::visit(Namer{}, item.what));
+  return names;
+}
+
+struct OrderRow {
+  const char* name;
+  const char* text;
+  std::vector<std::string> items;
+};
+
+class WordOrder : public testing::TestWithParam<OrderRow> {};
+
+TEST_P(WordOrder, IsThatOfTheManual) {
+  const RunResult run = run_text(GetParam().text);
+  EXPECT_FALSE(run.error) << language::explain(run.error.value_or(language::Error{}), language::Tongue::english);
+  EXPECT_EQ(names_of(run), GetParam().items);
+}
+
+using Names = std::vector<std::string>;
+INSTANTIATE_TEST_SUITE_P(
+    , WordOrder,
+    testing::Values(
+        OrderRow{"FST009_M03_before_the_way", "P0001N001G01X+1000F0100S0500M03%",
+                 Names{"digits 500", "spindle cw 500", "line", "end"}},
+        OrderRow{"FST010_M05_behind_the_way", "P0001N001G01X+1000F0100M05%", Names{"line", "spindle off", "end"}},
+        OrderRow{"FST010_M09_behind_the_way", "P0001N001G01X+1000F0100M09%", Names{"line", "coolant off", "end"}},
+        OrderRow{"M004_counterclockwise", "P0001N001G11S0100M04%", Names{"digits 100", "spindle ccw 100", "end"}},
+        OrderRow{"M013_spindle_and_coolant_at_start", "P0001N001G01X+1000F0100M13%",
+                 Names{"spindle cw 0", "coolant on", "line", "end"}},
+        OrderRow{"M014_spindle_and_coolant_at_start", "P0001N001G11M14%", Names{"spindle ccw 0", "coolant on", "end"}},
+        OrderRow{"M012_both_off_at_end", "P0001N001G01X+1000F0100M12%",
+                 Names{"line", "spindle off", "coolant off", "end"}},
+        OrderRow{"M008_coolant_at_start", "P0001N001G01X+1000F0100M08%", Names{"coolant on", "line", "end"}},
+        OrderRow{"M000_halt_at_end", "P0001N001G01X+1000F0100M00N002G17%", Names{"line", "halt", "end"}},
+        OrderRow{"M001_halt_with_signal", "P0001N001G11M01%", Names{"halt signal", "end"}},
+        OrderRow{"M002_ends_the_program", "P0001N001G01X+1000F0100M02N002G01X+1000%", Names{"line", "end"}},
+        OrderRow{"M015_signal", "P0001N001G11M15N002G90%", Names{"signal", "end"}},
+        OrderRow{"M016_waits_for_Input_1", "P0001N001G11M16%", Names{"wait 0.0", "end"}},
+        OrderRow{"M040_all_outputs_of_card_1", "P0001N001G11M40N002G11M48N003G11M50N004G11M53%",
+                 Names{"output 1.0 on", "output 1.8 on", "output 1.0 off", "output 1.3 off", "end"}},
+        OrderRow{"M060_waits_on_card_1", "P0001N001G11M60N002G11M68%", Names{"wait 1.0", "wait 1.8", "end"}},
+        OrderRow{"M070_card_2", "P0001N001G11M70N002G11M81N003G11M90N004G11M98%",
+                 Names{"output 2.0 on", "output 2.1 off", "wait 2.0", "wait 2.8", "end"}},
+        OrderRow{"FST004_S_with_the_spindle_on", "P0001N001G11S0500M03N002G01X+1000F0100S0800%",
+                 Names{"digits 500", "spindle cw 500", "digits 800", "spindle cw 800", "line", "end"}},
+        OrderRow{"FST004_S_with_the_spindle_off", "P0001N001G11S0500%", Names{"digits 500", "end"}},
+        OrderRow{"FST011_T_at_block_start", "P0000T005R+5000L-1000\nP0001N001G01X+1000F0100T05%",
+                 Names{"tool 5 R5 L-1", "line", "end"}},
+        OrderRow{"COMP003_tool_without_row", "P0001N001G11T07%", Names{"tool 7 R0 L0", "end"}},
+        OrderRow{"G040_dwell", "P0001N001G04H0010N002G04H9999%", Names{"dwell 1", "dwell 999.9", "end"}},
+        OrderRow{"G110_F_alone_has_no_effect_on_the_machine", "P0001N001G11F0100N002G91%", Names{"mark", "end"}},
+        OrderRow{"D42_M24_suppresses_what_follows",
+                 "P0001N001G11M24N002G01X+1000F0100M03N003G04H0010N004G11M00N005G11M40N006G11M16N007G11M02N008G17%",
+                 Names{"mark", "line", "mark", "mark", "mark", "mark", "mark", "end"}},
+        OrderRow{"D42_M24_acts_from_the_following_block", "P0001N001G11M08N002G11M24N003G11M08%",
+                 Names{"coolant on", "mark", "end"}},
+        OrderRow{"DEC38_M05_M09_M12_act_under_M24", "P0001N001G11M24N002G11M05N003G11M09N004G11M12%",
+                 Names{"mark", "spindle off", "coolant off", "spindle off", "coolant off", "end"}},
+        OrderRow{"M020_ends_the_test_run", "P0001N001G11M24N002G11M03N003G11M20N004G11M08%",
+                 Names{"mark", "mark", "mark", "coolant on", "end"}}),
+    [](const auto& row) { return std::string(row.param.name); });
+
+TEST(Words, EveryBlockHasOneItemThatEndsIt) {
+  const RunResult run =
+      run_text("P0001N001G11F1000S0100T01M03N002G01X+1000M05N003G90N004G22P0002N001W01N005G68X+0%\nP0002N001G04H0001%");
+  ASSERT_FALSE(run.error);
+  std::uint64_t ended = 0;
+  for (std::size_t i = 0; i < run.items.size(); ++i) {
+    const bool is_last = i + 1 == run.items.size() || run.items[i + 1].sequence != run.items[i].sequence;
+    EXPECT_EQ(run.items[i].ends_block, is_last) << i;
+    ended += run.items[i].ends_block ? 1 : 0;
+  }
+  EXPECT_EQ(ended, run.blocks.size());
+  EXPECT_EQ(run.items.back().sequence, run.blocks.size());
+}
+
+TEST(Words, M23TakesThePotentiometerAwayFromTheNextBlock) {
+  const RunResult run = run_text("P0001N001G01X+1000F0100M23N002G01X+1000N003G01X+1000M20N004G01X+1000%");
+  std::vector<bool> off;
+  for (const geometry::PathItem& item : run.items)
+    if (std::holds_alternative<geometry::Line>(item.what)) off.push_back(item.override_off);
+  EXPECT_THAT(off, ElementsAre(false, true, true, false));
+}
+
+TEST(Words, ModalStateKeepsWhatWasSet_FST013) {
+  const RunResult run = run_text("P0001N001G11F0700S0300T04M03N002G90N003G18%");
+  const ModalState& modal = run.blocks.back().modal;
+  EXPECT_EQ(modal.feed_mm_per_min, 700);
+  EXPECT_EQ(modal.spindle_rpm, 300);
+  EXPECT_EQ(modal.tool, 4);
+  EXPECT_EQ(modal.m, 3);
+  EXPECT_EQ(modal.dimension, Dimension::absolute);
+  EXPECT_EQ(modal.plane, geometry::Plane::xz);
+}
+
+TEST(Words, G001_G00_leaves_F_alone) {
+  const RunResult run = run_text("P0001N001G11F0700N002G00X+1000%");
+  EXPECT_EQ(run.blocks.back().modal.feed_mm_per_min, 700);
+}
+
+TEST(Words, SuppressedMIsNotShown_D42) {
+  const RunResult run = run_text("P0001N001G11M24N002G11M03%");
+  EXPECT_EQ(run.blocks.back().modal.m, 24);
+  EXPECT_EQ(run.blocks.back().modal.spindle, geometry::SpindleTurn::off);
+}
+
+TEST(Words, ParametersAreReadWhenTheBlockRuns_EX060) {
+  Start start;
+  start.parameters[4] = 25 * kParameterUnit;
+  start.parameters[63] = 15 * kParameterUnit + 900'000;
+  const RunResult run = run_text("P0001N001G01X#04Z+10000F1000N002G04H#63N003G01X#64%", 9, start);
+  ASSERT_FALSE(run.error) << language::explain(*run.error, language::Tongue::english);
+  const auto lines = all_of<geometry::Line>(run);
+  EXPECT_EQ(lines.at(0).to, (geometry::Point{25, 0, 10}));
+  EXPECT_EQ(all_of<geometry::Dwell>(run).at(0).seconds, 1.5);  // whole part of #63, D-94
+  EXPECT_EQ(lines.at(1).to.x, 50) << "#64 is the Sollwert of X";
+}
+
+TEST(Words, ParametersAreRoundedToMicrometres_DEC52) {
+  Start start;
+  start.parameters[1] = 1'000'500;   // 1.0005 mm
+  start.parameters[2] = -1'000'499;  // -1.000499 mm
+  const RunResult run = run_text("P0001N001G01X#01Y#02F1000%", 9, start);
+  EXPECT_EQ(run.blocks.back().programmed_um, (std::array<std::int64_t, 3>{1001, -1000, 0}));
+}
+
+TEST(Words, ToolParametersComeFromP0000_PAR036) {
+  const RunResult run = run_text("P0000T003R+4500L-250\nP0001N001G11F1000T03N002G01X#67Y#68%");
+  EXPECT_EQ(run.blocks.back().programmed_um, (std::array<std::int64_t, 3>{4500, -250, 0}));
+}
+
+TEST(Words, ParametersAreCheckedAtExecution_DEC13) {
+  Start start;
+  start.parameters[1] = 600 * kParameterUnit;
+  Settings settings;
+  EXPECT_EQ(run_text("P0001N001G00X#01%", 9, start, settings).code(), ErrorCode::word_out_of_range);
+  start.parameters[1] = 3001 * kParameterUnit;
+  EXPECT_EQ(run_text("P0001N001G11F#01%", 9, start, settings).code(), ErrorCode::feed_above_limit);
+}
+
+TEST(Words, DwellByAParameterOfZeroIsNone_DEC53) {
+  const RunResult run = run_text("P0001N001G04H#05N002G17%");
+  EXPECT_FALSE(run.error);
+  EXPECT_TRUE(all_of<geometry::Dwell>(run).empty());
+}
+
+TEST(Words, DEC38OutputsGoOffAtTheEndOnTheLabMachine) {
+  Settings settings = wide_settings();
+  settings.outputs_at_end_off = true;
+  const RunResult run = run_text("P0001N001G11M13%", 9, {}, settings);
+  EXPECT_THAT(names_of(run), ElementsAre("spindle cw 0", "coolant on", "spindle off", "coolant off", "end"));
+  EXPECT_EQ(run.blocks.back().modal.spindle, geometry::SpindleTurn::off);
+  EXPECT_FALSE(run.blocks.back().modal.coolant);
+}
+
+TEST(Words, UnknownMStops_D51) {
+  EXPECT_EQ(run_text("P0001N001G11M06%").code(), ErrorCode::m_unknown);
+  EXPECT_EQ(run_text("P0001N001G11M49%").code(), ErrorCode::m_unknown);
+}
+
+}  // namespace
+}  // namespace cnclab::program
