@@ -51,10 +51,10 @@ class Drawing {
   void draw_title() {
     fill(0, Attribute::inverse);
     screen_.write(0, 1, say({"LEHRERKONSOLE", "INSTRUCTOR"}), Attribute::inverse);
-    screen_.write(0, 18, fmt::format("{} @ {}", model_.user, model_.server), Attribute::inverse, 38);
+    screen_.write(0, 18, fmt::format("{} @ {}", model_.user, model_.server), Attribute::inverse, 32);
     switch (model_.link) {
       case Link::connected:
-        screen_.write(0, 58, say({"verbunden", "connected"}), Attribute::inverse);
+        screen_.write(0, 52, say({"verbunden", "connected"}), Attribute::inverse);
         break;
       case Link::lost:
         screen_.write(0, 58, fmt::format("{} {} s", say({"VERBINDUNG VERLOREN", "CONNECTION LOST"}), model_.lost_for_s),
@@ -158,8 +158,8 @@ class Drawing {
 
   void draw_keys() {
     screen_.write(kKeysRow, 1,
-                  say({"1-9 ↑↓ Platz  s Steuerung  r Rücknahme  F12/h HALT  c Halt auf  p Strom  ? q",
-                       "1-9 ↑↓ seat  s select  r release  F12/h HALT  c clear halt  p power  ? help  q quit"}),
+                  say({"1-9 ↑↓  s wählen  r zurück  F12/h HALT  c Halt auf  p Strom  ? Hilfe  q Ende",
+                       "1-9 ↑↓  s select  r release  F12/h HALT  c clear halt  p power  ? help  q quit"}),
                   Attribute::dim, Screen::kColumns - 1);
   }
 

@@ -1,0 +1,142 @@
+// Keys and clicks of the console, and what they ask of the server (INS-001, INS-002, AUTH-004, AUTH-006, AUTH-010).
+#include "instructor/console_model.hpp"
+
+#include <gtest/gtest.h>
+
+namespace cnclab::instructor {
+namespace {
+
+ConsoleModel connected(std::uint32_t selected = 0) {
+  ConsoleModel model;
+  model.status.emplace();
+  model.status->set_selected(selected);
+  model.status->mutable_machine()->set_state("standstill");
+  model.chosen = 7;
+  return model;
+}
+
+std::string asked(const Reaction& reaction) { return reaction.request ? reaction.request->ShortDebugString() : "-"; }
+
+struct Row {
+  std::string name;
+  Input input;
+  std::string request;
+  bool is_urgent = false;
+};
+
+void PrintTo(const Row& row, std::ostream* out) { *out << row.name; }
+
+class ConsoleKeys : public testing::TestWithParam<Row> {};
+
+TEST_P(ConsoleKeys, asks_the_server) {
+  const Reaction reaction = react(connected(), GetParam().input);
+  EXPECT_EQ(asked(reaction), GetParam().request);
+  EXPECT_EQ(reaction.is_urgent, GetParam().is_urgent);
+  EXPECT_FALSE(reaction.quits);
+}
+
+INSTANTIATE_TEST_SUITE_P(INS_002, ConsoleKeys,
+                         testing::Values(Row{"AUTH-002 s", Typed{U's'}, "select { station: 7 }"},
+                                         Row{"AUTH-002 Enter", Special::enter, "select { station: 7 }"},
+                                         Row{"AUTH-004 S", Typed{U'S'}, "select { station: 7 force: true }"},
+                                         Row{"AUTH-001 r", Typed{U'r'}, "release { }"},
+                                         Row{"AUTH-004 R", Typed{U'R'}, "release { force: true }"},
+                                         Row{"AUTH-006 F12", Special::halt, "halt { }", true},
+                                         Row{"AUTH-006 h", Typed{U'h'}, "halt { }", true},
+                                         Row{"AUTH-006 c", Typed{U'c'}, "clear_halt { }"},
+                                         Row{"AUTH-010 p", Typed{U'p'}, "power_off { }", true},
+                                         Row{"x does nothing", Typed{U'x'}, "-"},
+                                         Row{"Esc does nothing", Special::escape, "-"}));
+
+TEST(ConsoleModel, AUTH_010_p_switches_on_again_what_is_off) {
+  ConsoleModel model = connected();
+  model.status->mutable_machine()->set_state("off");
+  EXPECT_EQ(asked(react(model, Typed{U'p'})), "power_on { }");
+}
+
+TEST(ConsoleModel, INS_001_seats_are_chosen_by_digit_arrow_and_click) {
+  EXPECT_EQ(react(connected(), Typed{U'3'}).model.chosen, 3);
+  EXPECT_EQ(react(connected(), Special::up).model.chosen, 6);
+  EXPECT_EQ(react(connected(), Special::down).model.chosen, 8);
+  EXPECT_EQ(react(connected(), Clicked{kFirstSeatRow + 14}).model.chosen, 15);
+  EXPECT_EQ(react(connected(), Clicked{kFirstSeatRow}).model.chosen, 1);
+}
+
+TEST(ConsoleModel, SEAT_001_the_choice_stays_between_1_and_15) {
+  ConsoleModel model = connected();
+  model.chosen = 1;
+  EXPECT_EQ(react(model, Special::up).model.chosen, 1);
+  model.chosen = 15;
+  EXPECT_EQ(react(model, Special::down).model.chosen, 15);
+  for (const int row : {0, kFirstSeatRow - 1, kFirstSeatRow + kSeats, 23}) {
+    EXPECT_EQ(react(model, Clicked{row}).model.chosen, 15) << row;
+  }
+}
+
+TEST(ConsoleModel, q_quits_at_once_while_nobody_has_control) { EXPECT_TRUE(react(connected(), Typed{U'q'}).quits); }
+
+TEST(ConsoleModel, q_asks_first_while_a_station_has_control) {
+  const Reaction asked_first = react(connected(7), Typed{U'q'});
+  EXPECT_FALSE(asked_first.quits);
+  EXPECT_EQ(asked_first.model.overlay, Overlay::ask_quit);
+  EXPECT_TRUE(react(asked_first.model, Typed{U'j'}).quits);
+  EXPECT_TRUE(react(asked_first.model, Typed{U'y'}).quits);
+  const Reaction stays = react(asked_first.model, Typed{U'n'});
+  EXPECT_FALSE(stays.quits);
+  EXPECT_EQ(stays.model.overlay, Overlay::none);
+}
+
+TEST(ConsoleModel, AUTH_006_the_halt_works_over_every_question_and_page) {
+  for (const Overlay overlay : {Overlay::help, Overlay::ask_quit}) {
+    for (const Input& input : {Input(Special::halt), Input(Typed{U'h'})}) {
+      ConsoleModel model = connected(7);
+      model.overlay = overlay;
+      const Reaction reaction = react(model, input);
+      EXPECT_EQ(asked(reaction), "halt { }");
+      EXPECT_FALSE(reaction.quits);
+    }
+  }
+}
+
+TEST(ConsoleModel, help_opens_with_a_question_mark_and_closes_with_any_key_that_does_nothing_else) {
+  const ConsoleModel model = react(connected(), Typed{U'?'}).model;
+  EXPECT_EQ(model.overlay, Overlay::help);
+  const Reaction reaction = react(model, Typed{U's'});
+  EXPECT_EQ(reaction.model.overlay, Overlay::none);
+  EXPECT_EQ(asked(reaction), "-");
+}
+
+TEST(ConsoleModel, SEAT_005_keys_on_a_lost_line_are_dropped_and_say_so) {
+  ConsoleModel model = connected();
+  model.link = Link::lost;
+  const Reaction reaction = react(model, Typed{U's'});
+  EXPECT_EQ(asked(reaction), "-");
+  EXPECT_TRUE(reaction.model.message.is_error);
+  EXPECT_EQ(reaction.model.message.text, "Keine Verbindung: nichts gesendet.");
+}
+
+TEST(ConsoleModel, AUTH_004_a_refusal_stands_on_the_message_line) {
+  v1::InstructorRequest request;
+  request.mutable_select()->set_station(7);
+  v1::InstructorAnswer answer;
+  answer.set_error("Die Maschine fährt.");
+  const auto refused = with_answer(connected(), request, answer);
+  EXPECT_EQ(refused.message.text, "Die Maschine fährt.");
+  EXPECT_TRUE(refused.message.is_error);
+}
+
+TEST(ConsoleModel, AUTH_005_an_accepted_select_tells_what_the_student_has_to_do) {
+  v1::InstructorRequest request;
+  request.mutable_select()->set_station(7);
+  v1::InstructorAnswer answer;
+  answer.add_items()->mutable_done()->set_ok(true);
+  EXPECT_EQ(with_answer(connected(), request, answer).message.text,
+            "Platz 7: Steuerung angeboten; der Platz nimmt mit START an.");
+  auto english = connected();
+  english.language = station::Language::english;
+  EXPECT_EQ(with_answer(english, request, answer).message.text,
+            "Seat 7: control offered; the seat accepts with START.");
+}
+
+}  // namespace
+}  // namespace cnclab::instructor

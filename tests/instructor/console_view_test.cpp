@@ -1,0 +1,141 @@
+// The console's screen as drawings (INS-001).
+#include "instructor/console_view.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace cnclab::instructor {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+std::string trimmed(const Screen& screen, int row) {
+  std::string text = screen.text(row);
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text;
+}
+
+ConsoleModel lesson() {
+  ConsoleModel model;
+  model.server = "127.0.0.1:3300";
+  model.user = "lehrer";
+  auto& status = model.status.emplace();
+  status.set_selected(7);
+  status.set_lease(12);
+  auto& machine = *status.mutable_machine();
+  machine.set_state("moving");
+  machine.set_referenced(true);
+  machine.set_x(85);
+  machine.set_y(-60.5);
+  machine.set_feed(1000);
+  machine.set_spindle(-500);
+  status.mutable_ticks()->set_longest_ms(0.25);
+  auto& anna = *status.add_stations();
+  anna.set_station(7);
+  anna.set_user("anna");
+  anna.set_mode("AUTOMAT");
+  anna.set_program(1);
+  anna.set_block(3);
+  anna.set_running(true);
+  anna.set_connected(true);
+  auto& otto = *status.add_stations();
+  otto.set_station(9);
+  otto.set_user("otto");
+  otto.set_mode("EINGABEMODUS");
+  otto.set_meldung(1);
+  return model;
+}
+
+TEST(ConsoleView, INS_001_every_seat_has_a_line_with_who_what_and_control) {
+  const Screen screen = draw_console(lesson());
+  EXPECT_EQ(trimmed(screen, 1), "   Platz Name             Betriebsart     Programm   läuft Netz  Hand Maschine");
+  EXPECT_EQ(trimmed(screen, 8), "    7    anna             AUTOMAT         P0001 N003 ●     ja         ►");
+  EXPECT_EQ(trimmed(screen, 10), "    9    otto             EINGABEMODUS                     FEHLT 1.");
+  EXPECT_EQ(trimmed(screen, 16), "   15    (frei)");
+}
+
+TEST(ConsoleView, INS_001_machine_and_tick_have_a_line_each) {
+  const Screen screen = draw_console(lesson());
+  EXPECT_EQ(trimmed(screen, 18), " Maschine  FÄHRT      X+00085.000 Y-00060.500 Z+00000.000 F1000 S-0500");
+  EXPECT_EQ(trimmed(screen, 19), " Takt      verspätet 0, längster 0.25 ms    Freigabe Nr 12");
+}
+
+TEST(ConsoleView, AUTH_012_an_unreferenced_machine_says_so) {
+  ConsoleModel model = lesson();
+  model.status->mutable_machine()->set_referenced(false);
+  EXPECT_THAT(draw_console(model).text(18), HasSubstr("UNREF."));
+  EXPECT_THAT(draw_console(lesson()).text(18), Not(HasSubstr("UNREF.")));
+}
+
+TEST(ConsoleView, AUTH_006_the_screen_names_who_halted) {
+  ConsoleModel model = lesson();
+  model.status->set_halted_by("Platz 9");
+  EXPECT_THAT(draw_console(model).text(19), HasSubstr("HALT: Platz 9"));
+}
+
+TEST(ConsoleView, AUTH_005_an_offer_is_shown_at_its_seat) {
+  ConsoleModel model = lesson();
+  model.status->set_selected(0);
+  model.status->set_offered(9);
+  const Screen screen = draw_console(model);
+  EXPECT_THAT(screen.text(10), HasSubstr("gefragt"));
+  EXPECT_THAT(screen.text(8), Not(HasSubstr("►")));
+}
+
+TEST(ConsoleView, the_chosen_seat_is_inverse_over_its_whole_row) {
+  ConsoleModel model = lesson();
+  model.chosen = 9;
+  const Screen screen = draw_console(model);
+  EXPECT_EQ(screen.at(10, 0).attribute, Attribute::inverse);
+  EXPECT_EQ(screen.at(10, 79).attribute, Attribute::inverse);
+  EXPECT_EQ(screen.at(9, 0).attribute, Attribute::normal);
+}
+
+TEST(ConsoleView, SEAT_005_a_lost_line_is_never_shown_as_live) {
+  ConsoleModel model = lesson();
+  model.link = Link::lost;
+  model.lost_for_s = 3;
+  const Screen screen = draw_console(model);
+  EXPECT_THAT(screen.text(0), HasSubstr("VERBINDUNG VERLOREN 3 s"));
+  EXPECT_EQ(screen.at(8, 9).attribute, Attribute::dim);
+  EXPECT_EQ(screen.at(18, 22).attribute, Attribute::dim);
+}
+
+TEST(ConsoleView, before_the_first_status_nothing_is_claimed) {
+  ConsoleModel model = lesson();
+  model.status.reset();
+  const Screen screen = draw_console(model);
+  EXPECT_EQ(trimmed(screen, 3), "    2");
+  EXPECT_THAT(screen.text(18), HasSubstr("noch keine Angaben"));
+}
+
+TEST(ConsoleView, keys_stand_on_the_bottom_line_in_both_languages) {
+  ConsoleModel model = lesson();
+  for (const auto* key : {"1-9", "s ", "r ", "F12/h", "c ", "p ", "?", "q"}) {
+    EXPECT_THAT(draw_console(model).text(23), HasSubstr(key));
+  }
+  model.language = station::Language::english;
+  for (const auto* key : {"1-9", "select", "release", "F12/h", "clear", "power", "? help", "q quit"}) {
+    EXPECT_THAT(draw_console(model).text(23), HasSubstr(key));
+  }
+}
+
+TEST(ConsoleView, AUTH_010_the_help_page_says_that_an_emergency_stop_is_hardware) {
+  ConsoleModel model = lesson();
+  model.overlay = Overlay::help;
+  const Screen screen = draw_console(model);
+  std::string all;
+  for (int row = 0; row < Screen::kRows; ++row) all += screen.text(row);
+  EXPECT_THAT(all, HasSubstr("kein NOT-HALT"));
+  EXPECT_THAT(all, HasSubstr("FÄHRT"));  // the machine stays in sight
+}
+
+TEST(ConsoleView, the_question_before_quitting_names_the_seat) {
+  ConsoleModel model = lesson();
+  model.overlay = Overlay::ask_quit;
+  EXPECT_THAT(draw_console(model).text(21), HasSubstr("Platz 7"));
+}
+
+}  // namespace
+}  // namespace cnclab::instructor
