@@ -1,5 +1,6 @@
 // Programs and their blocks: the newest state, changed together with the record of the change.
 #include <algorithm>
+#include <ranges>
 
 #include "db/block_list.hpp"
 #include "db/change.hpp"
@@ -77,11 +78,11 @@ void Database::insert_block(PersonId id, int program, const StoredBlock& block, 
     const auto following = blocks_from(*statements_, id, program, block.number);
     record_change(*statements_, {id, program, "insert", block.number, write_list(following), block.text, author});
     // From the back, so that no number is taken twice at any moment.
-    for (auto moved = following.rbegin(); moved != following.rend(); ++moved) {
-      StoredBlock renumbered = renumber(*moved, moved->number + 1);
-      renumbered.number = moved->number + 1;
+    for (const StoredBlock& moved : following | std::views::reverse) {
+      StoredBlock renumbered = renumber(moved, moved.number + 1);
+      renumbered.number = moved.number + 1;
       check_storable(renumbered);
-      move_block(*statements_, id, program, moved->number, renumbered);
+      move_block(*statements_, id, program, moved.number, renumbered);
     }
     write_block(*statements_, id, program, block);
   });

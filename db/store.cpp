@@ -17,7 +17,7 @@ struct Waiting {
   std::function<void(Answer)> done;
 };
 
-StoreError error_of(std::exception_ptr thrown) {
+StoreError error_of(const std::exception_ptr& thrown) {
   try {
     std::rethrow_exception(thrown);
   } catch (const StoreFailure& failure) {

@@ -41,7 +41,7 @@ int serial_of(const std::string& text) { return std::stoi(text.substr(text.find(
   std::mutex mutex;
   std::condition_variable changed;
   int under_way = 0;
-  Store store(std::move(database), [](std::function<void()> answer) { answer(); });
+  Store store(std::move(database), [](const std::function<void()>& answer) { answer(); });
   for (int serial = first_serial;; ++serial) {
     std::unique_lock lock(mutex);
     changed.wait(lock, [&] { return under_way < kPipelined; });

@@ -17,7 +17,7 @@ namespace {
 
 using ::testing::HasSubstr;
 
-const Post kAtOnce = [](std::function<void()> answer) { answer(); };
+const Post kAtOnce = [](const std::function<void()>& answer) { answer(); };
 
 // Stores and waits for the answer.
 template <class Job>
