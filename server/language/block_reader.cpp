@@ -17,6 +17,8 @@ constexpr std::int64_t kSaturated = 1'000'000'000'000;  // far above every word,
 constexpr int kMostDecimals = 3;                        // BLK-005
 constexpr int kHighestParameter = 69;                   // BLK-016
 
+bool is_number(std::uint16_t number, bool is_tool) { return number >= 1 && number <= (is_tool ? 99 : kLastBlock); }
+
 bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
 
 std::string code_text(Function function) {
@@ -77,8 +79,7 @@ std::optional<BlockStart> BlockReader::read_start() {
   word_line_ = cursor_.line();
   cursor_.advance();
   const auto number = read_digits(3);
-  const std::uint16_t most = letter_of_block == 'T' ? 99 : kLastBlock;
-  if (!number || *number == 0 || *number > most) {
+  if (!number || !is_number(*number, letter_of_block == 'T')) {
     std::string found;
     if (number) append_digits(found, *number, 3);
     fail(ErrorCode::block_number_wrong, letter_of_block, std::move(found),
@@ -310,7 +311,7 @@ bool BlockReader::find_start(bool is_tool) {
   const int line = cursor_.line();
   cursor_.advance();
   const auto number = read_digits(3);
-  if (!number || *number == 0 || (!is_tool && !starts_function())) return false;
+  if (!number || !is_number(*number, is_tool) || (!is_tool && !starts_function())) return false;
   next_start_ = BlockStart{*number, line};
   return true;
 }

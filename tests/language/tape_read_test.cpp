@@ -130,6 +130,11 @@ TEST(Tape, FileWithSmallLettersGivesNoProgramAtAll_DEC_30) {
   EXPECT_EQ(tape.errors[1], (Error{.code = ErrorCode::lower_case, .detail = "g", .line = 3}));
 }
 
+TEST(Tape, RowsBehindAnErrorAreCheckedAsWell_D_50) {
+  const Tape tape = read_tape("P12 P0000T801R+1000P0001N001G17", Reading::file);
+  EXPECT_EQ(texts_of(tape), "P0001\nN001G17\n");
+}
+
 TEST(Tape, ErrorsAreBounded) {
   std::string text = "P0001";
   for (int i = 0; i < 5000; ++i) text += "N001G99";

@@ -1,0 +1,62 @@
+// Feeds any bytes to the tape reader: it must come to an end without harm, and what it has read must come back equal
+// when it is written and read again. Every other reader and printer of a block sees the result too.
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+#include <string_view>
+
+#include "language/check_block.hpp"
+#include "language/screen_form.hpp"
+#include "language/tape.hpp"
+
+namespace language = cnclab::language;
+
+namespace {
+
+void require(bool is_right) {
+  if (!is_right) std::abort();
+}
+
+void check_errors(const language::Tape& tape) {
+  require(tape.errors.size() <= 1000);
+  for (const language::Error& error : tape.errors) {
+    require(!language::explain(error, language::Tongue::german).empty());
+    require(!language::explain(error, language::Tongue::english).empty());
+  }
+}
+
+void check_stored_blocks(const language::Program& program) {
+  for (const language::Block& block : program.blocks) {
+    const auto read = language::read_block(language::write_block(block), program.number);
+    require(read.has_value() && *read == block);
+    require(language::cost_bytes(block) >= 4);
+    require(!language::block_line(block, language::Plane::xy, language::Tongue::german).empty());
+  }
+  static_cast<void>(language::check_program(program, {}, nullptr));
+}
+
+void check_round_trip(std::string_view text, language::Reading reading) {
+  const language::Tape first = language::read_tape(text, reading);
+  check_errors(first);
+  std::string written;
+  for (const language::ReadProgram& read : first.programs) {
+    check_stored_blocks(read.program);
+    require(read.lines.size() == read.program.blocks.size());
+    written += language::write_program(read.program);
+  }
+  const language::Tape second = language::read_tape(written, reading);
+  require(second.errors.empty() && second.programs.size() == first.programs.size());
+  for (std::size_t i = 0; i < first.programs.size(); ++i)
+    require(second.programs[i].program == first.programs[i].program);
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  check_round_trip(text, language::Reading::file);
+  check_round_trip(text, language::Reading::strict);
+  static_cast<void>(language::read_block(text, 1));
+  static_cast<void>(language::read_block(text, language::kToolTable));
+  return 0;
+}
