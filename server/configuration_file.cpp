@@ -24,7 +24,7 @@ struct ConfigKey {
   std::function<std::string(const Configuration&)> show;
 };
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
     if (c == '"' || c == '\\') result += '\\';
@@ -44,7 +44,7 @@ ConfigKey text_key(std::string_view section, std::string_view name, std::string 
             to.*member = *value;
             return {};
           },
-          [member](const Configuration& from) { return quoted(from.*member); }};
+          [member](const Configuration& from) { return in_quotes(from.*member); }};
 }
 
 ConfigKey number_key(std::string_view section, std::string_view name, int Configuration::* member,
@@ -98,7 +98,7 @@ ConfigKey data_key() {
             to.data = *value;
             return {};
           },
-          [](const Configuration& from) { return quoted(from.data.string()); }};
+          [](const Configuration& from) { return in_quotes(from.data.string()); }};
 }
 
 ConfigKey tongue_key() {
@@ -109,7 +109,7 @@ ConfigKey tongue_key() {
             to.tongue = *value == "de" ? language::Tongue::german : language::Tongue::english;
             return {};
           },
-          [](const Configuration& from) { return quoted(from.tongue == language::Tongue::german ? "de" : "en"); }};
+          [](const Configuration& from) { return in_quotes(from.tongue == language::Tongue::german ? "de" : "en"); }};
 }
 
 ConfigKey model_key() {
@@ -122,7 +122,7 @@ ConfigKey model_key() {
             to.model = small ? language::Model::cnc3250 : language::Model::cnc3300;
             return {};
           },
-          [](const Configuration& from) { return quoted(from.model == language::Model::cnc3300 ? "3300" : "3250"); }};
+          [](const Configuration& from) { return in_quotes(from.model == language::Model::cnc3300 ? "3300" : "3250"); }};
 }
 
 ConfigKey size_key() {

@@ -158,7 +158,7 @@ void Authority::hear(const Step& step) {
   const auto& sign = std::get<Heard>(step.event);
   if (sign.login != login_ || sign.beat_sent_ns <= last_beat_ns_) return;
   last_beat_ns_ = std::min(sign.beat_sent_ns, step.now_ns);
-  if (!halted_) step.actions.emplace_back(Grant{newest_, expiry_ns(step.machine)});
+  step.actions.emplace_back(Grant{newest_, expiry_ns(step.machine)});
 }
 
 void Authority::watch_silence(const Step& step) {
@@ -180,7 +180,7 @@ void Authority::finish_stopping(const Step& step) {
 void Authority::halt(const Step& step) {
   const auto& press = std::get<HaltPressed>(step.event);
   // The stop acts every time; the latch keeps its first cause.
-  step.actions.emplace_back(Revoke{StopCause::machine_halt});
+  step.actions.emplace_back(Latch{true});
   if (!halted_) {
     halted_ = true;
     halted_login_ = press.login;
@@ -202,7 +202,7 @@ void Authority::clear_halt(const Step& step) {
   halted_ = false;
   halted_login_ = kNoLogin;
   halted_by_.clear();
-  if (phase_ == Phase::granted) step.actions.emplace_back(Grant{newest_, expiry_ns(step.machine)});
+  step.actions.emplace_back(Latch{false});
 }
 
 void Authority::switch_power(const Step& step) {
@@ -230,7 +230,7 @@ void Authority::grant(const Step& step) {
   phase_ = Phase::granted;
   newest_ = Epoch{static_cast<std::uint64_t>(newest_) + 1};
   last_beat_ns_ = step.now_ns;
-  if (!halted_) step.actions.emplace_back(Grant{newest_, expiry_ns(step.machine)});
+  step.actions.emplace_back(Grant{newest_, expiry_ns(step.machine)});
   step.actions.emplace_back(Connect{login_, true});
   journal(step, "grant", "", station_, newest_);
 }

@@ -7,7 +7,7 @@
 // Events go in with the time, actions come out; the lab carries them out in their order. Rules that hold at all times:
 //  1. A lease exists only in `granted`, for exactly one login; its number is greater than all before.
 //  2. The way from one lease to the next leads through `stopping` and the machine's standstill.
-//  3. A halt is no phase of its own: it suspends the grant in the channel, whatever the phase, until it is cleared.
+//  3. A halt is no phase of its own: it latches the channel, whatever the phase, until it is cleared.
 #pragma once
 
 #include <array>
@@ -89,7 +89,7 @@ inline constexpr std::size_t kEvents = std::variant_size_v<Event>;
 struct Grant {
   Epoch epoch{};
   std::int64_t expiry_ns = 0;
-};  ///< to the channel: new, renewed or resumed
+};  ///< to the channel: new or renewed
 struct Revoke {
   machine::StopCause cause{};
 };  ///< ramp stop, spindle off, run abandoned
@@ -97,6 +97,10 @@ struct Connect {
   LoginId login{};
   bool to_lab_machine = false;
 };  ///< the control's connection changes now
+/// MASCHINE HALT in the channel: stop and refuse every start command until it is off again (AUTH-006).
+struct Latch {
+  bool on = false;
+};
 struct SwitchPower {
   bool on = false;
 };
@@ -108,7 +112,7 @@ struct Journal {
   int station = 0;
   Epoch lease{};
 };  ///< AUTH-015
-using Action = std::variant<Grant, Revoke, Connect, SwitchPower, Refuse, Journal>;
+using Action = std::variant<Grant, Revoke, Connect, Latch, SwitchPower, Refuse, Journal>;
 using Actions = std::vector<Action>;
 
 struct AuthorityRules {

@@ -35,9 +35,8 @@ panel::WallClock wall_clock(std::int64_t unix_ms) {
 
 std::string iso_time(std::int64_t unix_ms) {
   const std::tm time = local_time(unix_ms);
-  std::string zone = fmt::format("{:%z}", time);
-  if (zone.size() == 5) zone.insert(3, ":");
-  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}{}", time, unix_ms % 1000, zone);
+  const std::string zone = fmt::format("{:%z}", time);  // "+0100"
+  return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}{}:{}", time, unix_ms % 1000, zone.substr(0, 3), zone.substr(3));
 }
 
 }  // namespace cnclab::lab

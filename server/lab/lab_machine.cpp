@@ -74,6 +74,7 @@ void Lab::carry_out(const Action& action) {
     else
       disconnect_lab_machine();
   }
+  if (const auto* latch = std::get_if<Latch>(&action)) channel_->latch(latch->on);
   if (const auto* power = std::get_if<SwitchPower>(&action)) {
     const bool taken = power->on ? channel_->command(machine::PowerOn{}) : channel_->command(machine::PowerOff{});
     if (!taken) channel_->stop(machine::StopCause::power_off);

@@ -1,0 +1,258 @@
+// The lab as connections see it: messages in, messages out, with a database in memory and a clock of our own.
+#include "lab/lab.hpp"
+
+#include <gtest/gtest.h>
+
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+
+#include "cnclab/v1/envelope.pb.h"
+#include "shared/frame.hpp"
+
+namespace cnclab::lab {
+namespace {
+
+/// Keeps what it is told.
+struct FakePeer final : Peer {
+  void send(const v1::ServerMessage& message) override { sent.push_back(message); }
+  void hang_up(const std::string& why) override { reason = why; }
+  [[nodiscard]] std::string address() const override { return "127.0.0.1:4711"; }
+  std::deque<v1::ServerMessage> sent;
+  std::string reason;
+};
+
+/// A lab whose other threads' answers are run by `settle`.
+class LabTest : public testing::Test {
+ protected:
+  LabTest() {
+    auto database = db::Database::open(":memory:").value();
+    for (const char* name : {"eva", "udo", "lehrer"}) {
+      db::Person person;
+      person.name = name;
+      person.role = std::string(name) == "lehrer" ? "instructor" : "student";
+      person.password_hash = hash_;
+      database.add_person(person, 1);
+    }
+    store_ = std::make_unique<db::Store>(std::move(database), post());
+    Clock clock{[this] { return now_ns_; }, [] { return std::int64_t{1'000'000'000'000}; }};
+    lab_ = std::make_unique<Lab>(Configuration{}, *store_, ticks_, post(), clock, Inheritance{});
+  }
+  ~LabTest() override {
+    lab_.reset();
+    store_.reset();
+  }
+
+  db::Post post() {
+    return [this](std::function<void()> job) {
+      const std::lock_guard lock(mutex_);
+      jobs_.push_back(std::move(job));
+      came_.notify_one();
+    };
+  }
+
+  /// Runs answers of other threads until `done`; gives up after 10 s of real time.
+  void settle_until(const std::function<bool()>& done) {
+    const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(10);
+    while (!done()) {
+      std::unique_lock lock(mutex_);
+      ASSERT_TRUE(came_.wait_until(lock, limit, [this] { return !jobs_.empty(); })) << "no answer came";
+      auto job = std::move(jobs_.front());
+      jobs_.pop_front();
+      lock.unlock();
+      job();
+    }
+  }
+
+  struct Caller {
+    std::shared_ptr<FakePeer> peer = std::make_shared<FakePeer>();
+    std::shared_ptr<Visit> visit;
+    [[nodiscard]] const v1::LoginAnswer* login() const {
+      for (auto it = peer->sent.rbegin(); it != peer->sent.rend(); ++it)
+        if (it->has_login()) return &it->login();
+      return nullptr;
+    }
+  };
+
+  Caller call(v1::ClientKind kind = v1::CLIENT_KIND_STATION, std::uint32_t version = kProtocolVersion) {
+    Caller caller;
+    caller.visit = lab_->welcome(caller.peer);
+    v1::ClientMessage hello;
+    hello.mutable_hello()->set_version(version);
+    hello.mutable_hello()->set_kind(kind);
+    lab_->receive(caller.visit, hello);
+    return caller;
+  }
+
+  void log_in(Caller& caller, const std::string& user, std::uint32_t station, const std::string& password = "geheim123",
+              v1::Elsewhere elsewhere = v1::ELSEWHERE_UNSPECIFIED) {
+    v1::ClientMessage message;
+    message.mutable_login()->set_user(user);
+    message.mutable_login()->set_password(password);
+    message.mutable_login()->set_station(station);
+    message.mutable_login()->set_elsewhere(elsewhere);
+    const std::size_t before = caller.peer->sent.size();
+    lab_->receive(caller.visit, message);
+    settle_until([&] { return caller.peer->sent.size() > before; });
+  }
+
+  void press(Caller& caller, Key key, std::uint64_t number) {
+    v1::ClientMessage message;
+    message.mutable_key()->set_number(number);
+    message.mutable_key()->add_keys(static_cast<v1::Key>(key));
+    message.mutable_key()->set_pressed(true);
+    lab_->receive(caller.visit, message);
+  }
+
+  static inline const std::string hash_ = hash_password("geheim123");
+  std::int64_t now_ns_ = 1'000'000'000;
+  std::mutex mutex_;
+  std::condition_variable came_;
+  std::deque<std::function<void()>> jobs_;
+  machine::TickThread ticks_;
+  std::unique_ptr<db::Store> store_;
+  std::unique_ptr<Lab> lab_;
+};
+
+TEST_F(LabTest, SEAT_002_AStudentLogsInAndSeesAScreen) {
+  Caller eva = call();
+  log_in(eva, "eva", 7);
+  ASSERT_NE(eva.login(), nullptr);
+  EXPECT_EQ(eva.login()->result(), v1::LOGIN_RESULT_OK);
+  EXPECT_EQ(eva.login()->ticket().size(), 32U);
+  lab_->poll();
+  EXPECT_TRUE(std::ranges::any_of(eva.peer->sent, [](const auto& message) { return message.has_screen(); }));
+}
+
+TEST_F(LabTest, SEAT_001_OnlyStationsOneToFifteen) {
+  for (const std::uint32_t station : {0U, 16U, 4'000'000'000U}) {
+    Caller eva = call();
+    log_in(eva, "eva", station);
+    EXPECT_EQ(eva.login()->result(), v1::LOGIN_RESULT_NOT_ALLOWED) << station;
+  }
+}
+
+TEST_F(LabTest, SEAT_001_ATakenSeatIsRefusedAndNamesWhoSitsThere) {
+  Caller eva = call(), udo = call();
+  log_in(eva, "eva", 7);
+  log_in(udo, "udo", 7);
+  EXPECT_EQ(udo.login()->result(), v1::LOGIN_RESULT_SEAT_TAKEN);
+  EXPECT_EQ(udo.login()->occupant(), "eva");
+}
+
+TEST_F(LabTest, SEAT_003_ASecondLoginAsksThenTakesOver) {
+  Caller here = call(), there = call();
+  log_in(here, "eva", 7);
+  log_in(there, "eva", 8);
+  EXPECT_EQ(there.login()->result(), v1::LOGIN_RESULT_ELSEWHERE);
+  EXPECT_EQ(there.login()->other_station(), 7U);
+  log_in(there, "eva", 8, "geheim123", v1::ELSEWHERE_TAKE_OVER);
+  EXPECT_EQ(there.login()->result(), v1::LOGIN_RESULT_OK);
+  const auto bye = std::ranges::find_if(here.peer->sent, [](const auto& message) { return message.has_bye(); });
+  ASSERT_NE(bye, here.peer->sent.end());
+  EXPECT_EQ(bye->bye().exit_code(), 6U);
+}
+
+TEST_F(LabTest, SEAT_004_ATicketBringsBackTheSameSeatAndReplacesTheOldLine) {
+  Caller eva = call();
+  log_in(eva, "eva", 7);
+  v1::ClientMessage resume;
+  resume.mutable_resume()->set_ticket(eva.login()->ticket());
+  Caller again = call();
+  lab_->receive(again.visit, resume);
+  ASSERT_NE(again.login(), nullptr);
+  EXPECT_EQ(again.login()->result(), v1::LOGIN_RESULT_OK);
+  EXPECT_EQ(again.login()->station(), 7U);
+  EXPECT_FALSE(eva.peer->reason.empty());
+  Caller thief = call();
+  resume.mutable_resume()->set_ticket(std::string(32, 'x'));
+  lab_->receive(thief.visit, resume);
+  EXPECT_EQ(thief.login()->result(), v1::LOGIN_RESULT_TICKET_VOID);
+}
+
+TEST_F(LabTest, SEC_003_UnknownNamesAndWrongPasswordsAreAnsweredAlike) {
+  Caller eva = call(), nobody = call();
+  log_in(eva, "eva", 1, "falsch123");
+  log_in(nobody, "niemand", 1, "falsch123");
+  EXPECT_EQ(eva.login()->result(), v1::LOGIN_RESULT_REFUSED);
+  EXPECT_EQ(nobody.login()->result(), v1::LOGIN_RESULT_REFUSED);
+  EXPECT_EQ(eva.login()->text(), nobody.login()->text());
+}
+
+TEST_F(LabTest, SEC_004_AStudentIsNoInstructor) {
+  Caller console = call(v1::CLIENT_KIND_INSTRUCTOR);
+  log_in(console, "eva", 0);
+  EXPECT_EQ(console.login()->result(), v1::LOGIN_RESULT_NOT_ALLOWED);
+  Caller eva = call();
+  log_in(eva, "eva", 2);
+  v1::ClientMessage request;
+  request.mutable_request()->set_number(5);
+  request.mutable_request()->mutable_program_show()->set_student("udo");
+  lab_->receive(eva.visit, request);
+  ASSERT_TRUE(eva.peer->sent.back().has_answer());
+  EXPECT_FALSE(eva.peer->sent.back().answer().error().empty());
+  EXPECT_EQ(eva.peer->sent.back().answer().items_size(), 0);
+}
+
+TEST_F(LabTest, SEC_006_MessagesOutOfOrderEndTheConnection) {
+  Caller old = call(v1::CLIENT_KIND_STATION, 99);
+  EXPECT_FALSE(old.peer->sent.front().welcome().accepted());
+  EXPECT_EQ(old.peer->sent.front().welcome().versions(0), kProtocolVersion);
+  EXPECT_FALSE(old.peer->reason.empty());
+  Caller early = call();
+  press(early, Key::START, 1);
+  EXPECT_FALSE(early.peer->reason.empty()) << "a key before the login";
+  Caller eva = call();
+  log_in(eva, "eva", 2);
+  press(eva, Key::MENU, 5);
+  EXPECT_FALSE(eva.peer->reason.empty()) << "key numbers with a gap";
+}
+
+TEST_F(LabTest, SEC_005_WhoDoesNotLogInWithinTenSecondsIsHungUp) {
+  Caller slow = call();
+  now_ns_ += 10'500'000'000;
+  lab_->poll();
+  EXPECT_FALSE(slow.peer->reason.empty());
+}
+
+TEST_F(LabTest, SEC_005_AtMostSixtyFourConnectionsWaitForTheirLogin) {
+  std::vector<Caller> callers;
+  for (int i = 0; i < 64; ++i) callers.push_back(call());
+  EXPECT_TRUE(callers.back().peer->reason.empty());
+  const Caller one_more = call();
+  EXPECT_FALSE(one_more.peer->reason.empty());
+}
+
+TEST_F(LabTest, SEAT_004_ASilentConnectionIsClosedAfterFiveSeconds) {
+  Caller eva = call();
+  log_in(eva, "eva", 7);
+  now_ns_ += 4'900'000'000;
+  lab_->poll();
+  EXPECT_TRUE(eva.peer->reason.empty());
+  now_ns_ += 200'000'000;
+  lab_->poll();
+  EXPECT_FALSE(eva.peer->reason.empty());
+}
+
+TEST_F(LabTest, KeysAreAcknowledgedInTheNextScreen) {
+  Caller eva = call();
+  log_in(eva, "eva", 7);
+  press(eva, Key::AUTOMAT, 1);
+  std::uint64_t handled = 0;
+  for (int i = 0; i < 3; ++i) {
+    for (const auto& message : eva.peer->sent) {
+      if (!message.has_screen()) continue;
+      handled = std::max(handled, message.screen().handled_key());
+      v1::ClientMessage ack;
+      ack.mutable_screen_ack()->set_number(message.screen().number());
+      if (eva.visit->feed.is_waiting()) lab_->receive(eva.visit, ack);
+      break;
+    }
+    if (!eva.peer->sent.empty()) eva.peer->sent.pop_front();
+    lab_->poll();
+  }
+  EXPECT_EQ(handled, 1U);
+}
+
+}  // namespace
+}  // namespace cnclab::lab
