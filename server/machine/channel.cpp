@@ -51,6 +51,11 @@ void Channel::stop(StopCause cause) {
   impl_->mail.stops.fetch_add(1, std::memory_order_release);
 }
 
+void Channel::latch(bool on) {
+  impl_->mail.latched.store(on, std::memory_order_release);
+  if (on) stop(StopCause::machine_halt);
+}
+
 void Channel::set_override(double ratio) {
   impl_->mail.override_ratio.store(std::clamp(ratio, 0.0, 1.0), std::memory_order_relaxed);
 }

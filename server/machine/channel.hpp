@@ -173,6 +173,8 @@ class Channel {
   /// Level: brake on the path and rest. Cleared by the next accepted Go, Jog or RunReference. Every cause but
   /// operator_stop also switches spindle and coolant off and abandons the run.
   void stop(StopCause cause);
+  /// MASCHINE HALT: stops as stop(machine_halt), and every start command is dropped until it is off again (AUTH-006).
+  void latch(bool on);
   void set_override(double ratio);  ///< potentiometer 0..1
   void set_single_block(bool on);
   /// Grants an epoch until `expiry_ns` of the tick's clock, or renews it. Epochs never go back: an older one, and one

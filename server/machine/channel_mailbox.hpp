@@ -46,6 +46,7 @@ struct Mailbox {
   SpscRing<StampedOrder, kOrders> orders;
   std::atomic<std::uint64_t> stops{0};        ///< how often stop() was called
   std::atomic<std::uint32_t> stop_causes{0};  ///< bit = StopCause, set before `stops` rises
+  std::atomic<bool> latched{false};           ///< MASCHINE HALT: no start command is taken
   std::atomic<double> override_ratio{1};
   std::atomic<bool> single_block{false};
   SeqLock<Lease> lease;

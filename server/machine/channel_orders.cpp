@@ -10,7 +10,8 @@ void ChannelTick::take_orders() noexcept {
     const auto order = mail_.orders.pop();
     if (!order) return;
     ++orders_;
-    const bool is_fresh = order->stops_seen == stops_seen_;
+    const bool is_latched = mail_.latched.load(std::memory_order_acquire);
+    const bool is_fresh = !is_latched && order->stops_seen == stops_seen_;
     std::visit([&](const auto& what) { obey(what, is_fresh); }, order->order);
   }
 }
