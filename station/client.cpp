@@ -95,12 +95,6 @@ ConnectError wrong_version(const v1::Welcome& welcome) {
                   versions.empty() ? "?" : versions, kProtocolVersion, welcome.text())};
 }
 
-ExitCode exit_code_of(const v1::Bye& bye) {
-  const std::uint32_t code = bye.exit_code();
-  const bool is_known = code == 0 || (code >= 2 && code <= static_cast<std::uint32_t>(ExitCode::server_ended));
-  return is_known ? static_cast<ExitCode>(code) : ExitCode::server_ended;
-}
-
 asio::awaitable<v1::ServerMessage> read_message(asio::ssl::stream<tcp::socket>& stream) {
   std::array<std::uint8_t, kFrameHeader> header{};
   co_await asio::async_read(stream, asio::buffer(header), asio::use_awaitable);
@@ -129,13 +123,19 @@ asio::awaitable<std::expected<v1::Welcome, ConnectError>> exchange_hello(asio::s
   hello.set_software("cnclab " CNCLAB_VERSION);
   co_await write_message(stream, message);
   const v1::ServerMessage answer = co_await read_message(stream);
-  if (answer.has_bye()) co_return std::unexpected(ConnectError{exit_code_of(answer.bye()), answer.bye().text()});
+  if (answer.has_bye())
+    co_return std::unexpected(ConnectError{exit_code_of(answer.bye().exit_code()), answer.bye().text()});
   if (!answer.has_welcome()) throw system_error(make_error_code(boost::system::errc::protocol_error));
   if (!answer.welcome().accepted()) co_return std::unexpected(wrong_version(answer.welcome()));
   co_return answer.welcome();
 }
 
 }  // namespace
+
+ExitCode exit_code_of(std::uint32_t code) {
+  const bool is_known = code == 0 || (code >= 2 && code <= static_cast<std::uint32_t>(ExitCode::server_ended));
+  return is_known ? static_cast<ExitCode>(code) : ExitCode::server_ended;
+}
 
 std::optional<Address> parse_address(const std::string& text) {
   const std::size_t colon = text.rfind(':');
@@ -191,6 +191,7 @@ Client& Client::operator=(Client&& other) noexcept {
 }
 Client::~Client() { close(); }
 
+asio::any_io_executor Client::executor() const { return impl_->resolver.get_executor(); }
 const v1::Welcome& Client::welcome() const { return impl_->welcome; }
 bool Client::is_first_use() const { return impl_->is_first_use; }
 const std::string& Client::fingerprint() const { return impl_->fingerprint; }

@@ -1,8 +1,10 @@
 // A connection to the lab server: TLS, pinned certificate, frames; used by the station, the instructor and the tests.
 #pragma once
 
+#include <boost/asio/any_io_executor.hpp>
 #include <boost/asio/awaitable.hpp>
 #include <chrono>
+#include <cstdint>
 #include <expected>
 #include <filesystem>
 #include <memory>
@@ -30,6 +32,9 @@ enum class ExitCode : int {
   expelled = 9,
   server_ended = 10,
 };
+
+/// The code that a Bye names; unknown ones count as server_ended.
+[[nodiscard]] ExitCode exit_code_of(std::uint32_t code);
 
 struct ConnectError {
   ExitCode code{};
@@ -63,6 +68,7 @@ class Client {
   Client& operator=(Client&&) noexcept;
   ~Client();
 
+  [[nodiscard]] boost::asio::any_io_executor executor() const;
   [[nodiscard]] const v1::Welcome& welcome() const;
   /// The certificate was seen for the first time and is remembered from now on.
   [[nodiscard]] bool is_first_use() const;

@@ -1,0 +1,112 @@
+// The table of ASCII likenesses, and the refusal of what would not fill one column.
+#include "station/cell_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <utility>
+
+#include "shared/screen.hpp"
+
+namespace cnclab::station {
+namespace {
+
+constexpr auto kLikenesses = std::to_array<std::pair<char32_t, char>>({
+    // The frame and the marks of DEC-01.
+    {U'─', '-'},
+    {U'│', '|'},
+    {U'┌', '+'},
+    {U'┐', '+'},
+    {U'└', '+'},
+    {U'┘', '+'},
+    {U'├', '+'},
+    {U'┤', '+'},
+    {U'┬', '+'},
+    {U'┴', '+'},
+    {U'┼', '+'},
+    {U'□', '#'},
+    {U'■', '#'},
+    {U'●', '*'},
+    {U'○', 'o'},
+    {U'↻', '>'},
+    {U'↺', '<'},
+    {U'→', '>'},
+    {U'↓', 'v'},
+    {U'←', '<'},
+    {U'↑', '^'},
+    {U'█', '#'},
+    // Letters and signs of German and English sentences.
+    {U'ä', 'a'},
+    {U'ö', 'o'},
+    {U'ü', 'u'},
+    {U'Ä', 'A'},
+    {U'Ö', 'O'},
+    {U'Ü', 'U'},
+    {U'ß', 's'},
+    {U'é', 'e'},
+    {U'–', '-'},
+    {U'—', '-'},
+    {U'…', '.'},
+    {U'„', '"'},
+    {U'“', '"'},
+    {U'”', '"'},
+    {U'‚', '\''},
+    {U'‘', '\''},
+    {U'’', '\''},
+    {U'«', '<'},
+    {U'»', '>'},
+    {U'°', 'o'},
+    {U'±', '+'},
+    {U'×', 'x'},
+    {U'·', '.'},
+    {U'•', '*'},
+    {U'≥', '>'},
+    {U'≤', '<'},
+    {U'µ', 'u'},
+    {U'⌀', 'o'},
+    {U'²', '2'},
+    {U'³', '3'},
+    {U'\u00A0', ' '},
+});
+
+bool is_control(char32_t code) { return code < 0x20 || (code >= 0x7F && code < 0xA0); }
+
+// Combining marks, bidirectional marks, East Asian wide forms and emoji would shift the columns behind them.
+bool fills_one_column(char32_t code) {
+  if (code >= 0x2500 && code < 0x2900) return code < 0x2600 || code >= 0x2800;  // frames, blocks, braille
+  if (code < 0x300) return true;
+  const bool is_latin_greek_cyrillic = code >= 0x370 && code < 0x483;
+  const bool is_punctuation_or_sign = (code >= 0x2010 && code < 0x2028) || (code >= 0x2030 && code < 0x2060) ||
+                                      (code >= 0x2070 && code < 0x20D0) || (code >= 0x2100 && code < 0x2300);
+  return is_latin_greek_cyrillic || is_punctuation_or_sign || code == U'⌀';
+}
+
+// A picture's dots (GRAFIK) by how many of the eight are set.
+char braille_likeness(char32_t code) {
+  constexpr std::string_view kDensity = " ..::ooO#";
+  return kDensity[static_cast<std::size_t>(std::popcount(static_cast<std::uint32_t>(code - 0x2800)))];
+}
+
+char32_t ascii_likeness(char32_t code) {
+  if (code < 0x7F) return code;
+  if (code >= 0x2800 && code < 0x2900) return static_cast<char32_t>(braille_likeness(code));
+  const auto* const found = std::find_if(kLikenesses.begin(), kLikenesses.end(),
+                                         [&](const auto& likeness) { return likeness.first == code; });
+  return found == kLikenesses.end() ? U'?' : static_cast<char32_t>(found->second);
+}
+
+}  // namespace
+
+char32_t shown_code(char32_t code, bool is_ascii) {
+  if (is_control(code)) return U'?';
+  if (is_ascii) return ascii_likeness(code);
+  return fills_one_column(code) ? code : U'?';
+}
+
+std::string printable(std::string_view text) {
+  std::string line;
+  for (const char32_t code : from_utf8(text)) line += is_control(code) ? std::string(" ") : to_utf8(code);
+  return line;
+}
+
+}  // namespace cnclab::station

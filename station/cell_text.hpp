@@ -1,0 +1,15 @@
+// What a cell looks like on this terminal: plain ASCII where it has no Unicode (DEC-01), never a control character.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace cnclab::station {
+
+/// One code point that fills exactly one column: the same, or its ASCII likeness.
+[[nodiscard]] char32_t shown_code(char32_t code, bool is_ascii);
+
+/// A text from the server without control characters, for stderr and replies: one line.
+[[nodiscard]] std::string printable(std::string_view text);
+
+}  // namespace cnclab::station

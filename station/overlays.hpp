@@ -1,0 +1,29 @@
+// What the station draws itself over the server's screen: the help page, the question before logging out, the lost
+// line.
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <string>
+
+#include "shared/screen.hpp"
+#include "station/keymap.hpp"
+
+namespace cnclab::station {
+
+/// The last screen, dimmed and named as such, under "VERBINDUNG VERLOREN" and the seconds since then (SEAT-005).
+[[nodiscard]] Screen with_lost_line(const Screen& last, std::chrono::seconds since, const std::string& trouble,
+                                    Language language);
+
+/// Row 23 asks whether to log out.
+[[nodiscard]] Screen with_log_out_question(const Screen& screen, Language language);
+
+/// The help page from its line `first` on.
+[[nodiscard]] Screen help_screen(std::size_t first, Language language);
+/// The largest useful `first`.
+[[nodiscard]] std::size_t last_help_start(Language language);
+
+/// The potentiometer's position as row 8 of the side column shows it (DEC-01), 0..100.
+[[nodiscard]] std::optional<int> shown_potentiometer(const Screen& screen);
+
+}  // namespace cnclab::station

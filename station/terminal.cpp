@@ -1,0 +1,219 @@
+// ncurses behind our own types; no other file of the station includes its header.
+#include "station/terminal.hpp"
+
+#define NCURSES_NOMACROS 1
+#include <curses.h>
+#include <langinfo.h>
+#include <poll.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <clocale>
+#include <cstdio>
+#include <string>
+
+#include "station/cell_text.hpp"
+
+namespace cnclab::station {
+
+struct Terminal::Handle {
+  SCREEN* screen = nullptr;
+};
+
+namespace {
+
+// Long enough for the rest of an escape sequence over a slow line, too short to be felt.
+constexpr int kEscapeDelay_ms = 25;
+
+std::optional<Special> special_of(wint_t code) {
+  if (code > static_cast<wint_t>(KEY_F0) && code <= static_cast<wint_t>(KEY_F(12))) {
+    return static_cast<Special>(static_cast<int>(Special::f1) + static_cast<int>(code) - KEY_F(1));
+  }
+  switch (static_cast<int>(code)) {
+    case KEY_ENTER:
+      return Special::enter;
+    case KEY_BACKSPACE:
+      return Special::backspace;
+    case KEY_UP:
+      return Special::up;
+    case KEY_DOWN:
+      return Special::down;
+    case KEY_LEFT:
+      return Special::left;
+    case KEY_RIGHT:
+      return Special::right;
+    case KEY_PPAGE:
+      return Special::page_up;
+    case KEY_NPAGE:
+      return Special::page_down;
+    case KEY_HOME:
+      return Special::home;
+    case KEY_END:
+      return Special::end;
+    case KEY_IC:
+      return Special::insert;
+    case KEY_DC:
+      return Special::remove;
+    default:
+      return std::nullopt;
+  }
+}
+
+std::optional<Input> character_input(wint_t code) {
+  switch (code) {
+    case L'\r':
+    case L'\n':
+      return Special::enter;
+    case L'\t':
+      return Special::tab;
+    case 8:
+    case 127:
+      return Special::backspace;
+    case 27:
+      return Special::escape;
+    case 3:
+      return Special::ctrl_c;
+    case 12:
+      return Special::ctrl_l;
+    default:
+      break;
+  }
+  if (code < 0x20) return std::nullopt;
+  return static_cast<char32_t>(code);
+}
+
+attr_t attributes_of(Attribute attribute) {
+  switch (attribute) {
+    case Attribute::normal:
+      return A_NORMAL;
+    case Attribute::inverse:
+      return A_REVERSE;
+    case Attribute::bold:
+      return A_BOLD;
+    case Attribute::dim:
+      return A_DIM;
+  }
+  return A_NORMAL;
+}
+
+}  // namespace
+
+std::expected<std::unique_ptr<Terminal>, Ending> Terminal::open(bool is_ascii) {
+  std::setlocale(LC_ALL, "");
+  const Language language = language_of_locale();
+  const auto refused = [&](const Text& text) {
+    return std::unexpected(Ending{ExitCode::usage, std::string(text.in(language))});
+  };
+  if (::isatty(STDIN_FILENO) == 0 || ::isatty(STDOUT_FILENO) == 0) {
+    return refused({"Kein Terminal: die Station in einem Terminal starten, oder mit --headless.",
+                    "No terminal: start the station in a terminal, or with --headless."});
+  }
+  const bool has_utf8 = std::string_view(nl_langinfo(CODESET)) == "UTF-8";
+  std::unique_ptr<Terminal> terminal(new Terminal(is_ascii || !has_utf8));
+  if (terminal->handle_->screen == nullptr) {
+    return refused({"Dieses Terminal ist unbekannt: TERM prüfen, z. B. TERM=xterm-256color.",
+                    "This terminal is unknown: check TERM, e.g. TERM=xterm-256color."});
+  }
+  terminal->set_up();
+  return terminal;
+}
+
+Terminal::Terminal(bool is_ascii) : handle_(std::make_unique<Handle>()), is_ascii_(is_ascii) {
+  handle_->screen = ::newterm(nullptr, stdout, stdin);
+}
+
+void Terminal::set_up() {
+  ::set_term(handle_->screen);
+  ::set_escdelay(kEscapeDelay_ms);
+  ::raw();
+  ::noecho();
+  ::nonl();
+  ::keypad(stdscr, TRUE);
+  ::nodelay(stdscr, TRUE);
+  ::curs_set(0);
+  ::mousemask(BUTTON1_PRESSED, nullptr);
+  ::mouseinterval(0);  // a press counts at once, without waiting whether it becomes a click
+  if (::has_colors() && ::start_color() == OK && ::use_default_colors() == OK) {
+    has_colour_ = true;
+    ::init_pair(static_cast<short>(Colour::green), COLOR_GREEN, -1);
+    ::init_pair(static_cast<short>(Colour::red), COLOR_RED, -1);
+    ::init_pair(static_cast<short>(Colour::yellow), COLOR_YELLOW, -1);
+  }
+}
+
+Terminal::~Terminal() {
+  if (handle_->screen == nullptr) return;
+  ::mousemask(0, nullptr);
+  ::endwin();
+  ::delscreen(handle_->screen);
+}
+
+int Terminal::rows() const { return ::getmaxy(stdscr); }
+int Terminal::columns() const { return ::getmaxx(stdscr); }
+
+void Terminal::resize() {
+  winsize size{};
+  if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_row > 0 && size.ws_col > 0) {
+    ::resizeterm(size.ws_row, size.ws_col);
+  }
+}
+
+std::optional<TerminalEvent> Terminal::next_event() {
+  for (;;) {
+    wint_t code = 0;
+    const int kind = ::wget_wch(stdscr, &code);
+    if (kind == ERR) return std::nullopt;
+    if (kind == KEY_CODE_YES && code == static_cast<wint_t>(KEY_MOUSE)) {
+      MEVENT mouse{};
+      if (::getmouse(&mouse) == OK && (mouse.bstate & BUTTON1_PRESSED) != 0) return Click{mouse.y, mouse.x};
+      continue;
+    }
+    if (kind == KEY_CODE_YES) {
+      if (const auto special = special_of(code)) return Input(*special);
+    } else if (const auto input = character_input(code)) {
+      return *input;
+    }
+  }
+}
+
+bool Terminal::is_hung_up() const {
+  pollfd descriptor{STDIN_FILENO, POLLIN, 0};
+  return ::poll(&descriptor, 1, 0) > 0 && (descriptor.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0;
+}
+
+void Terminal::clear() { ::werase(stdscr); }
+
+void Terminal::draw(const Screen& screen) {
+  std::string text;
+  for (int row = 0; row < Screen::kRows; ++row) {
+    for (int column = 0, start = 0; column < Screen::kColumns; ++column) {
+      const Cell& cell = screen.at(row, column);
+      text += to_utf8(cell.code);
+      const bool is_last = column + 1 == Screen::kColumns;
+      if (!is_last && screen.at(row, column + 1).attribute == cell.attribute) continue;
+      write(row, start, text, cell.attribute);
+      text.clear();
+      start = column + 1;
+    }
+  }
+}
+
+void Terminal::write(int row, int column, std::string_view utf8, Attribute attribute, Colour colour) {
+  std::wstring text;
+  for (const char32_t code : from_utf8(utf8)) text += static_cast<wchar_t>(shown_code(code, is_ascii_));
+  const auto pair = static_cast<short>(has_colour_ ? static_cast<int>(colour) : 0);
+  ::wattr_set(stdscr, attributes_of(attribute), pair, nullptr);
+  ::mvwaddnwstr(stdscr, row, column, text.c_str(), static_cast<int>(text.size()));
+  ::wattr_set(stdscr, A_NORMAL, 0, nullptr);
+}
+
+void Terminal::flush() { ::wrefresh(stdscr); }
+
+void Terminal::redraw() {
+  ::clearok(stdscr, TRUE);
+  ::wrefresh(stdscr);
+}
+
+void Terminal::beep() { ::beep(); }
+
+}  // namespace cnclab::station
