@@ -1,0 +1,142 @@
+// Puts together what a command works on.
+#include "tool/job.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+#include "tool/text_file.hpp"
+
+namespace cnclab::tool {
+
+namespace {
+
+program::Settings settings_of(const machine::MachineData& data) {
+  program::Settings settings;
+  settings.f_max_mm_per_min = static_cast<double>(data.get(6));
+  settings.s_max_rpm = static_cast<double>(data.get(7));
+  for (std::size_t axis = 0; axis < settings.travel_mm.size(); ++axis)
+    settings.travel_mm[axis] = static_cast<double>(data.get(static_cast<int>(axis) + 3)) / 1000;
+  for (std::size_t axis = 0; axis < settings.steps_per_mm.size(); ++axis)
+    settings.steps_per_mm[axis] = static_cast<double>(data.get(static_cast<int>(axis) + 14));
+  return settings;
+}
+
+language::Reading reading_of(const Options& options) {
+  return options.is_strict ? language::Reading::strict : language::Reading::file;
+}
+
+bool read_programs(const Options& options, Job& job) {
+  if (!options.dialect.empty() && options.dialect != "cnc3300") {
+    print_problem(options.file,
+                  say(options.tongue, "diese Version liest nur den Dialekt cnc3300, nicht " + options.dialect + ".",
+                      "this version reads the dialect cnc3300 only, not " + options.dialect + "."));
+    return false;
+  }
+  const auto text =
+      options.is_strict ? read_file(options.file, options.tongue) : read_text_file(options.file, options.tongue);
+  if (!text) {
+    print_problem(options.file, text.error());
+    return false;
+  }
+  language::Tape tape = language::read_tape(*text, reading_of(options), options.tongue);
+  if (tape.programs.empty() && tape.errors.empty() && tape.notices.empty()) {
+    print_problem(options.file, say(options.tongue, "enthält kein Programm. Erwartet wird z. B. P0001N001G00X+1000%.",
+                                    "holds no program. Expected is e.g. P0001N001G00X+1000%."));
+    return false;
+  }
+  job.tape_errors = std::move(tape.errors);
+  job.notices = std::move(tape.notices);
+  for (const language::ReadProgram& read : tape.programs) {
+    for (std::size_t i = 0; i < read.program.blocks.size(); ++i)
+      job.lines[{read.program.number, read.program.blocks[i].number}] = read.lines[i];
+    job.in_file_order.push_back(read.program);
+    job.programs.put(read.program);
+  }
+  return true;
+}
+
+bool read_tools(const Options& options, Job& job) {
+  if (options.tools_file.empty()) return true;
+  const auto text = read_text_file(options.tools_file, options.tongue);
+  if (!text) {
+    print_problem(options.tools_file, text.error());
+    return false;
+  }
+  language::Tape tape = language::read_tape(*text, reading_of(options), options.tongue);
+  Job tools_job;
+  tools_job.file = options.tools_file;
+  tools_job.tongue = options.tongue;
+  for (const language::Error& error : tape.errors) tools_job.print(error);
+  if (!tape.errors.empty()) return false;
+  for (language::ReadProgram& read : tape.programs) {
+    if (read.program.number != language::kToolTable) continue;
+    job.programs.put(std::move(read.program));
+    return true;
+  }
+  print_problem(options.tools_file,
+                say(options.tongue, "enthält keine Werkzeugtabelle P0000, z. B. P0000T001R+5000L+0.",
+                    "holds no tool table P0000, e.g. P0000T001R+5000L+0."));
+  return false;
+}
+
+bool read_data(const Options& options, Job& job) {
+  if (!options.machine_data_file.empty()) {
+    const auto text = read_file(options.machine_data_file, options.tongue);
+    if (!text) {
+      print_problem(options.machine_data_file, text.error());
+      return false;
+    }
+    const auto data = machine::read_machine_data(*text);
+    if (!data) {
+      print_problem(options.machine_data_file, data.error());
+      return false;
+    }
+    job.data = *data;
+  }
+  job.settings = settings_of(job.data);
+  return true;
+}
+
+void choose_start(const Options& options, Job& job) {
+  for (const language::Program& program : job.in_file_order) {
+    if (program.number == language::kToolTable) continue;
+    job.start.program = program.number;
+    break;
+  }
+  if (options.program) job.start.program = *options.program;
+  const language::Program* program = job.programs.find(job.start.program);
+  if (program != nullptr && !program->blocks.empty()) job.start.block = program->blocks.front().number;
+  if (options.block) job.start.block = *options.block;
+}
+
+}  // namespace
+
+void Job::print(language::Error error) const {
+  if (error.line == 0)
+    if (const auto line = lines.find({error.program, error.block}); line != lines.end()) error.line = line->second;
+  std::string text = file + ":";
+  if (error.line > 0) text += fmt::format("{}:", error.line);
+  if (const std::string place = language::place_of(error); !place.empty()) text += fmt::format(" {}:", place);
+  fmt::print(stderr, "{} {}\n", text, language::message_of(error, tongue));
+}
+
+std::optional<Job> open_job(const Options& options) {
+  Job job;
+  job.file = options.file;
+  job.tongue = options.tongue;
+  if (!read_programs(options, job) || !read_tools(options, job) || !read_data(options, job)) return std::nullopt;
+  choose_start(options, job);
+  return job;
+}
+
+std::optional<Job> open_sound_job(const Options& options) {
+  auto job = open_job(options);
+  if (!job) return job;
+  for (const language::Error& error : job->tape_errors) job->print(error);
+  for (const std::string& notice : job->notices) print_problem(job->file, notice);
+  if (!job->tape_errors.empty()) return std::nullopt;
+  return job;
+}
+
+}  // namespace cnclab::tool

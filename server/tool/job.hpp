@@ -1,0 +1,40 @@
+// Everything a command works on: programs, tools and machine data, read from their files.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "language/tape.hpp"
+#include "machine/machine_data.hpp"
+#include "program/interpreter.hpp"
+#include "tool/options.hpp"
+
+namespace cnclab::tool {
+
+/// One job of the tool. Faults of the tape are kept, not printed: `check` has more to say.
+struct Job {
+  std::string file;
+  language::Tongue tongue = language::Tongue::english;
+  std::vector<language::Program> in_file_order;  ///< as they stand in FILE
+  program::ProgramSet programs;                  ///< with the tool table of --tools
+  machine::MachineData data;
+  program::Settings settings;
+  program::Start start;
+  std::vector<language::Error> tape_errors;
+  std::vector<std::string> notices;
+  std::map<std::pair<std::uint16_t, std::uint16_t>, int> lines;  ///< program and block to line
+
+  /// Prints "FILE:LINE: P0001 N003: message", with what is known of it.
+  void print(language::Error error) const;
+};
+
+/// Reads all files that the options name.
+/// returns  the job, or nothing after the problem was printed
+[[nodiscard]] std::optional<Job> open_job(const Options& options);
+
+/// The same for commands that need faultless tapes: prints their faults and returns nothing.
+[[nodiscard]] std::optional<Job> open_sound_job(const Options& options);
+
+}  // namespace cnclab::tool
