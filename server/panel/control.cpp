@@ -1,0 +1,295 @@
+// Keys in, screens out: the one place where key table, modes, run and storing come together.
+#include "panel/control.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "panel/key_table.hpp"
+#include "panel/modes.hpp"
+#include "panel/screen_frame.hpp"
+#include "panel/state_json.hpp"
+
+namespace cnclab::panel {
+
+namespace {
+
+void apply(const StoreRequest& request, ControlState& state) {
+  if (const auto* put = std::get_if<PutBlock>(&request)) state.memory.put_block(put->program, put->block);
+  if (const auto* insert = std::get_if<InsertBlock>(&request))
+    state.memory.insert_block(insert->program, insert->block);
+  if (const auto* erased = std::get_if<DeleteBlock>(&request))
+    state.memory.delete_block(erased->program, erased->block);
+  if (const auto* removed = std::get_if<RemovePrograms>(&request))
+    for (const std::uint16_t program : removed->programs) state.memory.remove_program(program);
+  if (const auto* data = std::get_if<PutMachineData>(&request)) state.data = data->data;
+}
+
+bool stores_block(const StoreRequest& request) {
+  return std::holds_alternative<PutBlock>(request) || std::holds_alternative<InsertBlock>(request);
+}
+
+/// Row 18 says why a key had no effect.
+std::string hint_for(Key key, Place place, const ActiveMode& mode, language::Tongue tongue) {
+  const std::string_view label = label_of(key);
+  if (place == Place::automat_running) return text(Text::hint_running, tongue, {label});
+  if (place == Place::automat_waiting) return text(Text::hint_waiting, tongue, {label});
+  if (is_opening(effect_of(Place::menu, key))) return text(Text::hint_menu_first, tongue, {label});
+  if (const auto* coming = std::get_if<ComingMode>(&mode))
+    return text(Text::hint_coming, tongue, {title_of(coming->mode, tongue)});
+  return text(Text::hint_no_effect, tongue, {label});
+}
+
+bool is_labs_own(Key key) {
+  return key == Key::none || key == Key::MELDUNG || key == Key::MASCHINE_HALT || key == Key::LABOR;
+}
+
+constexpr int kBeeperDatum = 22;
+
+}  // namespace
+
+struct Control::Impl {
+  Impl(const Settings& settings, Memory memory, machine::MachineData data)
+      : state(settings, std::move(memory), std::move(data)) {}
+
+  void change_mode(Mode next, Outcome& outcome) {
+    close_mode(active, state);
+    active = open_mode(next, state);
+    outcome.mode_changed = true;
+  }
+
+  /// RESET in any state: as STOP, spindle and coolant off, menu; programs and parameters stay (D-121, DEC-39).
+  void reset(Outcome& outcome) {
+    change_mode(Mode::menu, outcome);
+    state.message = {};
+    state.modal = {};
+    if (!state.connection.channel) return;
+    machine::Channel& channel = *state.connection.channel;
+    channel.stop(machine::StopCause::operator_stop);
+    (void)channel.command(machine::SwitchSpindle{state.connection.epoch, {}});
+    (void)channel.command(machine::SwitchCoolant{state.connection.epoch, false});
+  }
+
+  /// Modes that must not be entered while the lab's machine is connected (DEC-39).
+  void open_service_mode(Mode mode, Outcome& outcome) {
+    if (state.connection.is_lab_machine) {
+      state.hint = text(Text::said_not_on_lab_machine, state.tongue());
+      return;
+    }
+    change_mode(mode, outcome);
+  }
+
+  /// STOP reaches the machine in every mode, whatever else it does (AUTH-006).
+  void stop_machine() const {
+    if (state.connection.channel && state.connection.channel->snapshot().started)
+      state.connection.channel->stop(machine::StopCause::operator_stop);
+  }
+
+  /// The Istwert that was kept, once a training machine is there to count on.
+  void set_kept_istwert() {
+    if (!kept_istwert_mm || !state.connection.channel || state.connection.is_lab_machine) return;
+    (void)state.connection.channel->command(
+        machine::SetIstwert{state.connection.epoch, {true, true, true}, *kept_istwert_mm});
+    kept_istwert_mm.reset();
+  }
+
+  [[nodiscard]] Place place() const { return place_of(active, state); }
+  [[nodiscard]] std::string sentence(const SideView& side) const;
+
+  ControlState state;
+  ActiveMode active = MenuMode{};
+  std::uint64_t signals_heard = 0;
+  std::optional<std::array<double, 3>> kept_istwert_mm;
+};
+
+Control::Control(Settings settings, Memory memory, machine::MachineData data)
+    : impl_(std::make_unique<Impl>(settings, std::move(memory), std::move(data))) {}
+
+Control::~Control() = default;
+
+void Control::connect(Connection connection) {
+  ControlState& state = impl_->state;
+  const bool had_run = state.run.is_present();
+  const Mode mode = mode_of(impl_->active);
+  const bool falls_back =
+      mode == Mode::hand || mode == Mode::hand_input || mode == Mode::teach_in || mode == Mode::automat;
+  Outcome outcome;
+  if (falls_back) impl_->change_mode(Mode::menu, outcome);
+  state.connection = std::move(connection);
+  // AUTH-003: G40 G45 G74 M20 become active; spindle and coolant are off.
+  program::ModalState& modal = state.modal;
+  const program::ModalState power_on;
+  modal.radius = power_on.radius;
+  modal.length_compensation = modal.scale_on = false;
+  modal.scale = power_on.scale;
+  modal.blocks_hidden = modal.subprogram_blocks_hidden = modal.potentiometer_off = modal.test_run = false;
+  modal.spindle = power_on.spindle;
+  modal.coolant = power_on.coolant;
+  state.message = {};
+  if (had_run) state.message.sentence = text(Text::said_connected, state.tongue());
+  impl_->signals_heard = state.machine().signals;
+  set_override(state.override_percent);
+  impl_->set_kept_istwert();
+}
+
+Outcome Control::press(Key key, const Now&) {
+  Outcome outcome;
+  ControlState& state = impl_->state;
+  if (is_labs_own(key)) return outcome;
+  if (key == Key::STOP) impl_->stop_machine();
+  state.hint.clear();
+  if (state.storing) {
+    if (key != Key::STOP && state.settings.hints)
+      state.hint = text(Text::hint_storing, state.tongue(), {label_of(key)});
+    return outcome;
+  }
+  if (key == Key::RESET) {
+    impl_->reset(outcome);
+    return outcome;
+  }
+  const Place place = impl_->place();
+  const Effect effect = effect_of(place, key);
+  if (effect == Effect::ignored) {
+    if (state.settings.hints) state.hint = hint_for(key, place, impl_->active, state.tongue());
+    return outcome;
+  }
+  state.message = {};
+  if (is_opening(effect))
+    impl_->change_mode(mode_opened_by(effect), outcome);
+  else
+    panel::press(impl_->active, state, effect, digit_of(key).value_or(0));
+  outcome.store = state.storing;
+  return outcome;
+}
+
+Outcome Control::press_chord(const std::vector<Key>& keys, const Now& now) {
+  Outcome outcome;
+  if (keys.size() == 1) return press(keys.front(), now);
+  const auto holds = [&](std::initializer_list<Key> chord) {
+    return keys.size() == chord.size() &&
+           std::ranges::all_of(chord, [&](Key key) { return std::ranges::count(keys, key) == 1; });
+  };
+  if (impl_->state.storing) return outcome;
+  impl_->state.hint.clear();
+  if (holds({Key::DOWN, Key::RESET})) impl_->reset(outcome);
+  if (holds({Key::ENTER, Key::RESET})) {
+    impl_->reset(outcome);
+    impl_->open_service_mode(Mode::machine_data, outcome);
+  }
+  // D-17: polled in the menu only; elsewhere the keys are data.
+  if (holds({Key::D3, Key::D6, Key::D9}) && impl_->place() == Place::menu)
+    impl_->open_service_mode(Mode::memory_test, outcome);
+  return outcome;
+}
+
+void Control::release(Key, const Now&) {}  // no key of these modes acts on being released
+
+void Control::set_override(int percent) {
+  impl_->state.override_percent = std::clamp(percent, 0, 100);
+  if (impl_->state.connection.channel)
+    impl_->state.connection.channel->set_override(impl_->state.override_percent / 100.0);
+}
+
+bool Control::is_storing() const { return impl_->state.storing.has_value(); }
+
+void Control::store_done(const std::string& error) {
+  ControlState& state = impl_->state;
+  if (!state.storing) return;
+  const StoreRequest request = *std::exchange(state.storing, std::nullopt);
+  if (!error.empty()) {
+    state.message = Message{std::string(text(Text::not_stored, state.tongue())), 0,
+                            text(Text::said_not_stored, state.tongue(), {error})};
+    return;
+  }
+  apply(request, state);
+  if (stores_block(request) && state.data.get(kBeeperDatum) == 1) ++state.beeps;  // EDIT-027
+  if (auto* editor = std::get_if<EditorMode>(&impl_->active)) stored(*editor, state, request);
+}
+
+void Control::poll(const Now&) {
+  if (auto* automat = std::get_if<AutomatMode>(&impl_->active)) follow(*automat, impl_->state);
+}
+
+std::string Control::Impl::sentence(const SideView& side) const {
+  if (!side.notice.empty()) return side.notice;
+  if (!state.hint.empty()) return state.hint;
+  if (!state.message.sentence.empty()) return state.message.sentence;
+  return sentence_of(active, state);
+}
+
+Screen Control::draw(const Now& now, const SideView& side) const {
+  const ControlState& state = impl_->state;
+  Canvas canvas;
+  Monitor monitor(canvas);
+  draw_frame(canvas);
+  draw_header(monitor, mode(), state.settings, now.wall, state.memory.free_bytes());
+  panel::draw(impl_->active, state, monitor);
+  monitor.write(Monitor::kMessageRow, state.message.column, state.message.monitor);
+  const machine::Snapshot machine = state.machine();
+  const auto* automat = std::get_if<AutomatMode>(&impl_->active);
+  const Lamps lamps{.start = machine.started || is_running(),
+                    .single_block = automat != nullptr && automat->single_block,
+                    .coolant = machine.coolant,
+                    .limit = std::ranges::find(machine.limit, true) != machine.limit.end(),
+                    .is_referenced = machine.is_referenced,
+                    .spindle = machine.spindle};
+  draw_side(canvas, side, lamps, state.tongue());
+  draw_bottom(canvas, impl_->sentence(side), impl_->place(), state.tongue());
+  return canvas.screen();
+}
+
+Situation Control::situation() const {
+  Situation situation{.mode = mode(), .started = is_running(), .alarm = !impl_->state.message.monitor.empty()};
+  if (const auto* editor = std::get_if<EditorMode>(&impl_->active)) {
+    situation.program = editor->number();
+    situation.block = editor->is_open ? static_cast<std::uint16_t>(editor->line.number()) : std::uint16_t{0};
+  }
+  if (const auto* automat = std::get_if<AutomatMode>(&impl_->active)) {
+    const geometry::SourceBlock current = current_block(*automat, impl_->state);
+    situation.program = current.program;
+    situation.block = current.block;
+  }
+  return situation;
+}
+
+Mode Control::mode() const { return mode_of(impl_->active); }
+
+bool Control::is_running() const { return is_start_state(impl_->place()); }
+
+int Control::take_beeps() {
+  const std::uint64_t signals = impl_->state.machine().signals;
+  const int heard = static_cast<int>(std::min<std::uint64_t>(signals - std::min(signals, impl_->signals_heard), 100));
+  impl_->signals_heard = signals;
+  return std::exchange(impl_->state.beeps, 0) + heard;
+}
+
+bool Control::alarm_tone() const { return impl_->state.run.sounds_alarm(); }
+
+const Memory& Control::memory() const { return impl_->state.memory; }
+
+int Control::override_percent() const { return impl_->state.override_percent; }
+
+std::string Control::save_state() const { return write_state(impl_->active, impl_->state); }
+
+void Control::restore_state(const std::string& json) {
+  close_mode(impl_->active, impl_->state);
+  ReadState read = read_state(json, impl_->state);
+  impl_->active = read.mode ? std::move(*read.mode) : ActiveMode{MenuMode{}};
+  impl_->state.message = {};
+  impl_->state.hint.clear();
+  impl_->kept_istwert_mm = read.istwert_mm;
+  set_override(impl_->state.override_percent);
+  impl_->set_kept_istwert();
+}
+
+void Control::replace_memory(Memory memory) {
+  impl_->state.memory = std::move(memory);
+  auto* automat = std::get_if<AutomatMode>(&impl_->active);
+  if (automat == nullptr || automat->phase == AutomatMode::Phase::program || impl_->state.run.is_present()) return;
+  const language::Program* program = impl_->state.memory.find(automat->program_number());
+  if (program == nullptr || !program->find(automat->block_number()))
+    automat->phase = AutomatMode::Phase::program;
+  else
+    prepare_start(*automat, impl_->state);
+}
+
+}  // namespace cnclab::panel

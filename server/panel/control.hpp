@@ -19,25 +19,19 @@
 #include "language/block_form.hpp"
 #include "machine/channel.hpp"
 #include "machine/machine_data.hpp"
+#include "panel/connection.hpp"
 #include "panel/memory.hpp"
+#include "panel/mode.hpp"
 #include "shared/key.hpp"
 #include "shared/screen.hpp"
 
 namespace cnclab::panel {
 
-/// The operating modes (0 Conventions of the requirement list).
-enum class Mode : std::uint8_t {
-  menu, hand, hand_input, teach_in, automat, external_data, graphics, erase_memory, editor, machine_data, memory_test,
-};
-
-/// The mode's name as screens and `status` give it: "MENU", "HANDBETRIEB", "AUTOMAT", "EINGABEMODUS", …
-[[nodiscard]] std::string_view name_of(Mode mode);
-
 /// Configuration of one control (interfaces.md [control], decisions.md DEC-08).
 struct Settings {
   language::Vocabulary vocabulary;
   language::Tongue tongue = language::Tongue::german;
-  bool hints = true;               ///< row 18 says why a key was ignored
+  bool hints = true;                     ///< row 18 says why a key was ignored
   bool start_in_middle_rebuilds = true;  ///< DEC-26
   int memory_bytes = 16384;
 };
@@ -53,20 +47,25 @@ struct Now {
   WallClock wall;
 };
 
-/// Which machine the control moves.
-struct Connection {
-  std::shared_ptr<machine::Channel> channel;
-  machine::Epoch epoch{};
-  bool is_lab_machine = false;
-  machine::MachineData lab_data;  ///< the lab machine's own, only where is_lab_machine
-};
-
 // What the control wants stored. The lab stores it, then calls `store_done`; until then it hands in no key but STOP.
-struct PutBlock { std::uint16_t program = 0; language::Block block; };
-struct InsertBlock { std::uint16_t program = 0; language::Block block; };
-struct DeleteBlock { std::uint16_t program = 0; std::uint16_t block = 0; };
-struct RemovePrograms { std::vector<std::uint16_t> programs; };
-struct PutMachineData { machine::MachineData data; };
+struct PutBlock {
+  std::uint16_t program = 0;
+  language::Block block;
+};
+struct InsertBlock {
+  std::uint16_t program = 0;
+  language::Block block;
+};
+struct DeleteBlock {
+  std::uint16_t program = 0;
+  std::uint16_t block = 0;
+};
+struct RemovePrograms {
+  std::vector<std::uint16_t> programs;
+};
+struct PutMachineData {
+  machine::MachineData data;
+};
 using StoreRequest = std::variant<PutBlock, InsertBlock, DeleteBlock, RemovePrograms, PutMachineData>;
 
 /// What a key press led to besides a changed screen.
@@ -90,9 +89,9 @@ struct SideView {
   bool on_lab_machine = false;
   int controlling_station = 0;  ///< 0 nobody
   int override_percent = 0;
-  int meldung = 0;              ///< place in the order of raised hands, 0 none
-  std::string halted_by;        ///< who pressed MASCHINE HALT, empty if nobody
-  std::string notice;           ///< e.g. the offer of control; takes row 18 before the control's own sentence
+  int meldung = 0;        ///< place in the order of raised hands, 0 none
+  std::string halted_by;  ///< who pressed MASCHINE HALT, empty if nobody
+  std::string notice;     ///< e.g. the offer of control; takes row 18 before the control's own sentence
 };
 
 class Control {

@@ -14,26 +14,35 @@
 
 namespace cnclab::panel {
 
+/// At all times: every program has at least one block, its blocks ascend, and `free_bytes` is their cost taken from the
+/// empty memory. Programs that arrive by other ways than the keys (a teacher's copy) may make it negative for the
+/// arithmetic, but it is shown and returned as 0 then.
 class Memory {
  public:
   explicit Memory(int memory_bytes = 16384) : memory_bytes_(memory_bytes) {}
 
   [[nodiscard]] const std::vector<language::Program>& programs() const { return programs_; }
+  /// The program, or nullptr; valid until the next change.
   [[nodiscard]] const language::Program* find(std::uint16_t number) const;
-  [[nodiscard]] int free_bytes() const;
+  [[nodiscard]] int free_bytes() const;  ///< SCR-006, never below 0
 
-  void put_program(language::Program program);  ///< replaces, or appends in storage order
+  void put_program(language::Program program);  ///< replaces, or appends in storage order; without blocks: removes
   void remove_program(std::uint16_t number);
   void put_block(std::uint16_t program, const language::Block& block);
-  /// Inserts before the block of the same number and raises the numbers that follow (EDIT-020).
+  /// Inserts before the block of the same number and raises the numbers that follow by one (EDIT-020, D-47). Where no
+  /// block has that number it is put there. The caller sees to it that no number passes N999.
   void insert_block(std::uint16_t program, const language::Block& block);
+  /// Removes the block; a program without blocks goes with its last one.
   void delete_block(std::uint16_t program, std::uint16_t block);
 
   /// What a run takes at START (DEC-28).
   [[nodiscard]] program::ProgramSet snapshot() const;
 
  private:
+  language::Program& program_for(std::uint16_t number);
+
   int memory_bytes_;
+  int used_bytes_ = 0;
   std::vector<language::Program> programs_;
 };
 

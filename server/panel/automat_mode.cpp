@@ -1,0 +1,236 @@
+// The keys of AUTOMAT, and how a run's end comes back to the operator.
+#include "panel/automat_mode.hpp"
+
+#include <array>
+#include <utility>
+
+#include "program/rebuild_modal.hpp"
+
+namespace cnclab::panel {
+
+namespace {
+
+using language::Error;
+using language::ErrorCode;
+
+void confirm_program(AutomatMode& mode, ControlState& state) {
+  if (!mode.program.value) {
+    state.complain(ErrorCode::program_missing, std::string(text(Text::said_number_missing, state.tongue())));
+    return;
+  }
+  const std::uint16_t number = mode.program_number();
+  const language::Program* program = number == language::kToolTable ? nullptr : state.memory.find(number);
+  if (program == nullptr)
+    return state.complain(Error{.code = ErrorCode::program_missing, .detail = program_word(number)});
+  mode.block.offer(program->blocks.front().number);
+  mode.phase = AutomatMode::Phase::block;
+}
+
+void confirm_block(AutomatMode& mode, ControlState& state) {
+  const language::Program* program = state.memory.find(mode.program_number());
+  if (program == nullptr || !program->find(mode.block_number()))
+    return state.complain(Error{
+        .code = ErrorCode::block_missing, .program = mode.program_number(), .detail = block_word(mode.block_number())});
+  mode.phase = AutomatMode::Phase::ready;
+  mode.has_ended = false;
+  mode.failure.reset();
+  prepare_start(mode, state);
+}
+
+void press_prompt(DigitField& field, Effect effect, int figure) {
+  if (effect == Effect::digit) field.digit(figure);
+  if (effect == Effect::clear) field.clear();
+}
+
+geometry::Point istwert_of(const machine::Snapshot& snapshot) {
+  const auto& mm = snapshot.istwert_mm;
+  return {mm[0], mm[1], mm[2], mm[3]};
+}
+
+void refuse_start(ControlState& state, const Error& failure) {
+  state.complain(failure.code,
+                 text(Text::said_failed_before, state.tongue(), {language::explain(failure, state.tongue())}));
+}
+
+void begin_run(AutomatMode& mode, ControlState& state) {
+  if (mode.failure) return refuse_start(state, *mode.failure);
+  if (!state.connection.channel) {
+    state.hint = text(Text::said_no_machine, state.tongue());
+    return;
+  }
+  mode.has_ended = false;
+  prepare_start(mode, state);
+  RunOrder order{mode.programs,
+                 {.program = mode.program_number(),
+                  .block = mode.block_number(),
+                  .position = istwert_of(state.machine()),
+                  .modal = mode.first_modal,
+                  .parameters = state.parameters},
+                 state.effective_data(),
+                 state.settings.vocabulary};
+  if (!state.connection.channel->set_data(order.data)) {
+    state.hint = text(Text::said_not_at_rest, state.tongue());
+    return;
+  }
+  state.connection.channel->set_single_block(mode.single_block);
+  const auto begun = state.run.begin(state.connection, std::move(order));
+  if (!begun) {
+    mode.failure = begun.error();
+    return state.complain(begun.error());
+  }
+  state.automat_program = mode.program_number();
+}
+
+void press_single_block(AutomatMode& mode, ControlState& state) {
+  const bool is_started = is_start_state(place_of(mode, state));
+  if (is_started && mode.single_block) {
+    state.hint = text(Text::hint_single_off, state.tongue());  // KEY-045
+    return;
+  }
+  mode.single_block = !mode.single_block;
+  if (state.connection.channel) state.connection.channel->set_single_block(mode.single_block);
+}
+
+void press_ready(AutomatMode& mode, ControlState& state, Effect effect) {
+  switch (effect) {
+    case Effect::start:
+      return state.run.is_present() ? state.run.go_on() : begin_run(mode, state);
+    case Effect::stop:
+      return state.run.stop();
+    default:
+      return;
+  }
+}
+
+constexpr std::string_view kAxes = "XYZU";
+
+void tell_limit_switch(ControlState& state) {
+  constexpr int kColumnsPerAxis = 16;  // D-118
+  const std::uint8_t axis = state.machine().limit_axis;
+  const std::size_t index = axis < kAxes.size() ? axis : 0;
+  state.message =
+      Message{std::string(text(Text::limit_switch, state.tongue())), static_cast<int>(index) * kColumnsPerAxis,
+              text(Text::said_limit_switch, state.tongue(), {kAxes.substr(index, 1)})};
+}
+
+/// Row 18 for a run that the machine or the lab broke off; the monitor keeps its lines.
+void tell_break(ControlState& state, machine::StopCause cause) {
+  switch (cause) {
+    case machine::StopCause::limit_switch:
+      return tell_limit_switch(state);
+    case machine::StopCause::power_off:
+      state.message.sentence = text(Text::said_power_off, state.tongue());
+      return;
+    case machine::StopCause::machine_halt:
+      state.message.sentence = text(Text::said_machine_halt, state.tongue());
+      return;
+    case machine::StopCause::lease_ended:
+    case machine::StopCause::lease_expired:
+      state.message.sentence = text(Text::said_lease, state.tongue());
+      return;
+    case machine::StopCause::none:
+    case machine::StopCause::operator_stop:
+    case machine::StopCause::program_end:
+    case machine::StopCause::programmed_halt:
+    case machine::StopCause::waiting_for_input:
+    case machine::StopCause::single_block:
+    case machine::StopCause::error:
+      return;
+  }
+}
+
+}  // namespace
+
+AutomatMode open_automat(const ControlState& state) {
+  AutomatMode mode;
+  mode.program.offer(state.automat_program);
+  if (state.connection.channel) state.connection.channel->set_single_block(false);
+  return mode;
+}
+
+void close(AutomatMode& mode, ControlState& state) {
+  if (state.connection.channel) state.connection.channel->set_single_block(false);
+  mode.single_block = false;
+  const auto end = state.run.abandon();
+  if (!end) return;
+  state.modal = end->modal;
+  state.parameters = end->parameters;
+}
+
+void prepare_start(AutomatMode& mode, const ControlState& state) {
+  const language::Program* program = state.memory.find(mode.program_number());
+  mode.first_modal = state.modal;
+  mode.programs = state.memory.snapshot();
+  mode.is_rebuilt = program != nullptr && state.settings.start_in_middle_rebuilds &&
+                    mode.block_number() != program->blocks.front().number;
+  if (mode.is_rebuilt) mode.first_modal = program::rebuild_modal(*program, mode.block_number(), state.modal);
+}
+
+Place place_of(const AutomatMode& mode, const ControlState& state) {
+  switch (mode.phase) {
+    case AutomatMode::Phase::program:
+      return Place::automat_program;
+    case AutomatMode::Phase::block:
+      return Place::automat_block;
+    case AutomatMode::Phase::ready:
+      break;
+  }
+  switch (state.run.state()) {
+    case Run::State::none:
+    case Run::State::stopped:
+    case Run::State::between:
+      return Place::automat_ready;
+    case Run::State::running:
+    case Run::State::braking:
+      return Place::automat_running;
+    case Run::State::waiting:
+      return Place::automat_waiting;
+  }
+  return Place::automat_ready;
+}
+
+void press(AutomatMode& mode, ControlState& state, Effect effect, int figure) {
+  if (effect == Effect::single_block) return press_single_block(mode, state);
+  switch (mode.phase) {
+    case AutomatMode::Phase::program:
+      if (effect == Effect::enter) return confirm_program(mode, state);
+      return press_prompt(mode.program, effect, figure);
+    case AutomatMode::Phase::block:
+      if (effect == Effect::enter) return confirm_block(mode, state);
+      return press_prompt(mode.block, effect, figure);
+    case AutomatMode::Phase::ready:
+      return press_ready(mode, state, effect);
+  }
+}
+
+void follow(AutomatMode& mode, ControlState& state) {
+  const std::optional<RunEnd> end = state.run.poll();
+  if (!end) return;
+  state.modal = end->modal;
+  state.parameters = end->parameters;
+  switch (end->kind) {
+    case RunEnd::Kind::program_end:
+      mode.has_ended = true;  // the window returns to the acknowledged start block (D-40)
+      break;
+    case RunEnd::Kind::failed:
+      mode.failure = end->error;
+      if (end->error) state.complain(*end->error);
+      break;
+    case RunEnd::Kind::broken:
+      tell_break(state, end->cause);
+      break;
+    case RunEnd::Kind::refused:
+      state.message.sentence = text(Text::said_start_refused, state.tongue());
+      break;
+  }
+  prepare_start(mode, state);
+}
+
+geometry::SourceBlock current_block(const AutomatMode& mode, const ControlState& state) {
+  if (state.run.is_present()) return state.run.shown_block();
+  if (mode.failure && mode.failure->block != 0) return {mode.failure->program, mode.failure->block};
+  const bool has_block = mode.phase == AutomatMode::Phase::ready;
+  return {mode.program_number(), has_block ? mode.block_number() : std::uint16_t{0}};
+}
+
+}  // namespace cnclab::panel

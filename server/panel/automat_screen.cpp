@@ -1,0 +1,109 @@
+// Bild 5: what AUTOMAT shows, with the START and STOP fields of Bild 3 (D-27).
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "language/screen_form.hpp"
+#include "panel/automat_mode.hpp"
+#include "panel/block_window.hpp"
+#include "panel/status_line.hpp"
+
+namespace cnclab::panel {
+
+namespace {
+
+constexpr int kStartRow = 2, kStopRow = 3, kProgramRow = 4, kWindowRow = 8;
+constexpr int kStateColumn = 7, kIstwertColumn = 51;
+constexpr std::size_t kWindowLines = 5;
+
+void draw_istwerte(const machine::Snapshot& snapshot, Monitor& monitor) {
+  constexpr std::array<std::string_view, 3> kAxes{"X  ", "Y  ", "Z  "};
+  constexpr double kUmPerMm = 1000;
+  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+    const language::Micrometres value{std::llround(snapshot.istwert_mm[axis] * kUmPerMm)};
+    monitor.write(kStartRow + static_cast<int>(axis), kIstwertColumn,
+                  std::string(kAxes[axis]) + language::istwert_text(value));
+  }
+}
+
+void draw_prompts(const AutomatMode& mode, const ControlState& state, Monitor& monitor) {
+  const std::string_view label = text(Text::program_number, state.tongue());
+  const int column = kStateColumn + columns_of(label);
+  constexpr int kBlockOffset = 6;  // "P0001 "
+  const geometry::SourceBlock current = current_block(mode, state);
+  monitor.write(kProgramRow, kStateColumn, label);
+  const bool is_asked = mode.phase == AutomatMode::Phase::program;
+  const int number = is_asked ? mode.program_number() : current.program;
+  if (!is_asked || mode.program.value) monitor.write(kProgramRow, column, program_word(number));
+  if (is_asked) monitor.mark(kProgramRow, column);
+  if (mode.phase != AutomatMode::Phase::block) return;
+  monitor.write(kProgramRow, column + kBlockOffset, std::string(1, 'N').append(mode.block.text()));
+  monitor.mark(kProgramRow, column + kBlockOffset);
+}
+
+void draw_lines(const std::vector<WindowLine>& window, const ControlState& state, Monitor& monitor) {
+  int row = kWindowRow;
+  for (const WindowLine& line : window)
+    monitor.write(row++, 0, language::block_line(*line.block, line.plane, state.tongue()));
+}
+
+void draw_window(const AutomatMode& mode, const ControlState& state, const program::ModalState& modal,
+                 Monitor& monitor) {
+  const auto plane = static_cast<language::Plane>(modal.plane);
+  const geometry::SourceBlock current = current_block(mode, state);
+  if (state.run.is_present()) {
+    if (state.run.shows_blocks())
+      draw_lines(window_from(state.run.programs(), current, kWindowLines, plane), state, monitor);
+    return;
+  }
+  if (mode.phase != AutomatMode::Phase::ready) return;
+  draw_lines(window_from(mode.programs, current, kWindowLines, plane), state, monitor);
+}
+
+}  // namespace
+
+void draw(const AutomatMode& mode, const ControlState& state, Monitor& monitor) {
+  const machine::Snapshot snapshot = state.machine();
+  const Place place = place_of(mode, state);
+  const bool is_started = is_start_state(place);
+  monitor.write(kStartRow, 0, "START", is_started ? Attribute::inverse : Attribute::normal);
+  monitor.write(kStopRow, 0, "STOP", is_started ? Attribute::normal : Attribute::inverse);
+  const program::ModalState modal = state.run.is_present()                    ? state.run.modal()
+                                    : mode.phase == AutomatMode::Phase::ready ? mode.first_modal
+                                                                              : state.modal;
+  monitor.write(kStartRow, kStateColumn, status_line(modal, state.settings.vocabulary.model));
+  monitor.write(kStopRow, kStateColumn, inputs_and_outputs(snapshot));
+  draw_istwerte(snapshot, monitor);
+  draw_prompts(mode, state, monitor);
+  draw_window(mode, state, modal, monitor);
+}
+
+std::string sentence_of(const AutomatMode& mode, const ControlState& state) {
+  const language::Tongue tongue = state.tongue();
+  const geometry::SourceBlock current = current_block(mode, state);
+  const std::string program = program_text(current.program), block = block_text(current.block);
+  if (mode.phase == AutomatMode::Phase::program)
+    return mode.program.value ? text(Text::wait_automat_program, tongue, {program})
+                              : std::string(text(Text::said_number_missing, tongue));
+  if (mode.phase == AutomatMode::Phase::block) return std::string(text(Text::wait_automat_block, tongue));
+  switch (state.run.state()) {
+    case Run::State::none:
+      break;
+    case Run::State::running:
+      return text(Text::wait_running, tongue, {program, block});
+    case Run::State::waiting:
+      return text(state.machine().cause == machine::StopCause::waiting_for_input ? Text::wait_input : Text::wait_halt,
+                  tongue, {program, block});
+    case Run::State::braking:
+      return text(Text::wait_stopping, tongue, {program, block});
+    case Run::State::stopped:
+      return text(Text::wait_stopped, tongue, {program, block});
+    case Run::State::between:
+      return text(Text::wait_single, tongue, {program, block});
+  }
+  if (mode.has_ended) return text(Text::wait_ended, tongue, {block});
+  if (mode.is_rebuilt) return text(Text::wait_ready_rebuilt, tongue, {block});
+  return text(Text::wait_ready, tongue, {program, block});
+}
+
+}  // namespace cnclab::panel

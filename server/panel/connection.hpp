@@ -1,0 +1,18 @@
+// Which machine a control moves: its own training machine, or the lab's.
+#pragma once
+
+#include <memory>
+
+#include "machine/channel.hpp"
+#include "machine/machine_data.hpp"
+
+namespace cnclab::panel {
+
+struct Connection {
+  std::shared_ptr<machine::Channel> channel;
+  machine::Epoch epoch{};
+  bool is_lab_machine = false;
+  machine::MachineData lab_data;  ///< the lab machine's own, only where is_lab_machine
+};
+
+}  // namespace cnclab::panel

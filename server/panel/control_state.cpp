@@ -1,0 +1,38 @@
+// Helpers that every mode needs: complaints, the connected machine's data and state.
+#include "panel/control_state.hpp"
+
+#include <utility>
+
+namespace cnclab::panel {
+
+namespace {
+
+std::string zero_padded(int number, std::size_t places) {
+  const std::string digits = std::to_string(number);
+  return digits.size() < places ? std::string(places - digits.size(), '0') + digits : digits;
+}
+
+}  // namespace
+
+void ControlState::complain(const language::Error& error) { complain(error.code, language::explain(error, tongue())); }
+
+void ControlState::complain(language::ErrorCode code, std::string sentence) {
+  message = Message{std::string(language::monitor_text(code, tongue())), 0, std::move(sentence)};
+}
+
+machine::MachineData ControlState::effective_data() const {
+  return connection.is_lab_machine ? machine::on_lab_machine(data, connection.lab_data) : data;
+}
+
+language::Plane ControlState::plane() const { return static_cast<language::Plane>(modal.plane); }
+
+machine::Snapshot ControlState::machine() const {
+  return connection.channel ? connection.channel->snapshot() : machine::Snapshot{};
+}
+
+std::string program_text(int number) { return zero_padded(number, 4); }
+std::string block_text(int number) { return zero_padded(number, 3); }
+std::string program_word(int number) { return std::string(1, 'P').append(program_text(number)); }
+std::string block_word(int number) { return std::string(1, 'N').append(block_text(number)); }
+
+}  // namespace cnclab::panel

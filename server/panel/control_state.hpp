@@ -1,0 +1,60 @@
+// What all operating modes of one control share: memory, modal state, machine, run, messages. The modes are functions
+// that work on it; nothing here knows which of them is active.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "language/error.hpp"
+#include "panel/control.hpp"
+#include "panel/run.hpp"
+#include "panel/texts.hpp"
+#include "program/modal_state.hpp"
+
+namespace cnclab::panel {
+
+/// What stands on the monitor's last line until the next key that has an effect (D-117, D-119), and its sentence below.
+struct Message {
+  std::string monitor;
+  int column = 0;  ///< D-118
+  std::string sentence;
+};
+
+struct ControlState {
+  ControlState(const Settings& configuration, Memory stored, machine::MachineData own_data)
+      : settings(configuration), memory(std::move(stored)), data(std::move(own_data)) {}
+
+  Settings settings;
+  Memory memory;
+  machine::MachineData data;  ///< the student's own
+  program::ModalState modal;
+  program::Parameters parameters{};
+  Connection connection;
+  int override_percent = 100;
+  Run run;
+
+  std::uint16_t editor_program = 1;   ///< last worked on (D-35)
+  std::uint16_t automat_program = 1;  ///< last run in AUTOMAT (MOD-050)
+  Message message;
+  std::string hint;  ///< why the last key was ignored; row 18 only
+  std::optional<StoreRequest> storing;
+  int beeps = 0;
+
+  [[nodiscard]] language::Tongue tongue() const { return settings.tongue; }
+  /// Monitor text and sentence of an error.
+  void complain(const language::Error& error);
+  /// The error's monitor text with an own, more fitting sentence.
+  void complain(language::ErrorCode code, std::string sentence);
+  /// The data of the machine that is connected now (DEC-25).
+  [[nodiscard]] machine::MachineData effective_data() const;
+  [[nodiscard]] language::Plane plane() const;      ///< of the modal state
+  [[nodiscard]] machine::Snapshot machine() const;  ///< all at rest where none is connected
+};
+
+/// "0001", "001" for sentences; "P0001", "N001" as words.
+[[nodiscard]] std::string program_text(int number);
+[[nodiscard]] std::string block_text(int number);
+[[nodiscard]] std::string program_word(int number);
+[[nodiscard]] std::string block_word(int number);
+
+}  // namespace cnclab::panel

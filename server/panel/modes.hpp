@@ -1,0 +1,26 @@
+// The operating modes as one value: which is active, and what each adds to screens and keys.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "panel/automat_mode.hpp"
+#include "panel/coming_mode.hpp"
+#include "panel/editor_mode.hpp"
+#include "panel/menu_mode.hpp"
+
+namespace cnclab::panel {
+
+using ActiveMode = std::variant<MenuMode, EditorMode, AutomatMode, ComingMode>;
+
+[[nodiscard]] ActiveMode open_mode(Mode mode, ControlState& state);
+/// Called before another mode becomes active.
+void close_mode(ActiveMode& mode, ControlState& state);
+
+[[nodiscard]] Mode mode_of(const ActiveMode& mode);
+[[nodiscard]] Place place_of(const ActiveMode& mode, const ControlState& state);
+void press(ActiveMode& mode, ControlState& state, Effect effect, int figure);
+void draw(const ActiveMode& mode, const ControlState& state, Monitor& monitor);
+[[nodiscard]] std::string sentence_of(const ActiveMode& mode, const ControlState& state);
+
+}  // namespace cnclab::panel

@@ -1,0 +1,117 @@
+// One run of a program: from START until its end, abandonment or an error.
+//
+//   ProgramSet ──▶ Interpreter ──▶ Planner ──▶ Channel        the interpreter runs ahead of the machine by some seconds
+//                      └─ RunRecord per block ─┐
+//   Channel::snapshot ── sequence ─────────────┴──▶ which block, which modal state the operator sees
+//
+// A run owns everything that decided its course at START (DEC-28). It is fed in small portions (`poll`), so a jump loop
+// without motion never holds up the lab (DEC-63).
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <expected>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "geometry/path_item.hpp"
+#include "language/error.hpp"
+#include "machine/channel.hpp"
+#include "panel/connection.hpp"
+#include "panel/travel_guard.hpp"
+#include "program/interpreter.hpp"
+
+namespace cnclab::panel {
+
+/// What a run is begun with; all of it values (DEC-28).
+struct RunOrder {
+  program::ProgramSet programs;
+  program::Start start;  ///< its position is the machine's Istwert
+  machine::MachineData data;
+  language::Vocabulary vocabulary;
+};
+
+/// How a run ended, and the state to go on with: that of the block really executed, not of the one read ahead.
+struct RunEnd {
+  enum class Kind : std::uint8_t { program_end, failed, broken, refused };
+  Kind kind{};
+  machine::StopCause cause = machine::StopCause::none;
+  std::optional<language::Error> error;  ///< Kind::failed
+  program::ModalState modal;
+  program::Parameters parameters{};
+};
+
+class Run {
+ public:
+  enum class State : std::uint8_t {
+    none,
+    running,
+    waiting,  ///< programmed halt, or waiting for an input: START goes on (KEY-013)
+    braking,
+    stopped,  ///< after STOP: START drives the rest
+    between,  ///< EINZELSATZ: the next block waits for START
+  };
+
+  /// Begins with the first block of the order; it moves as soon as the machine has taken it up.
+  /// errors   what the first block or the program as a whole has wrong; nothing was started
+  /// A machine that takes no command at all (its ring is full) is told by `poll` as a refused start.
+  [[nodiscard]] std::expected<void, language::Error> begin(const Connection& connection, RunOrder order);
+
+  void go_on();  ///< START in any state but `none`
+  void stop();   ///< STOP: on the ramp, the rest is kept
+  /// Forgets the run; the machine must stand still. Returns the state of the block really executed.
+  std::optional<RunEnd> abandon();
+
+  /// Feeds the path and follows the machine; returns how the run ended when it did.
+  std::optional<RunEnd> poll();
+
+  [[nodiscard]] State state() const;
+  [[nodiscard]] bool is_present() const { return interpreter_.has_value(); }
+  /// The block on top of the window: the one being done, or the next where it waits for START.
+  [[nodiscard]] geometry::SourceBlock shown_block() const;
+  [[nodiscard]] bool shows_blocks() const;  ///< false under M21, and in subprograms under M22
+  [[nodiscard]] program::ModalState modal() const;
+  [[nodiscard]] const program::ProgramSet& programs() const { return programs_; }
+  [[nodiscard]] bool sounds_alarm() const;  ///< M01 waits for START
+
+ private:
+  /// A block that the interpreter has executed ahead of the machine.
+  struct Record {
+    program::ExecutedBlock block;
+    std::shared_ptr<const program::Parameters> parameters;  ///< after the block; shared while unchanged
+    bool has_alarm = false;
+    double path_s = 0;  ///< time of the path up to its end at programmed speed, from START
+  };
+
+  [[nodiscard]] std::optional<language::Error> prepare_block();
+  void feed();
+  void forget_done_blocks();
+  [[nodiscard]] bool is_far_enough_ahead() const;
+  [[nodiscard]] const Record* record(std::uint64_t sequence) const;
+  [[nodiscard]] const program::Parameters& parameters() const;
+  [[nodiscard]] bool is_path_done() const;
+  RunEnd finish(RunEnd::Kind kind);
+  std::optional<RunEnd> end_at_rest();
+  void look();
+  void go();
+
+  Connection connection_;
+  machine::Snapshot seen_;
+  std::uint64_t run_ = 0;             ///< the channel's number of this run
+  std::uint64_t answer_tick_ = 0;     ///< from this tick on the snapshot knows of the last command
+  std::uint64_t refused_before_ = 0;  ///< commands that had not been taken when START was pressed
+
+  program::ProgramSet programs_;
+  program::ModalState first_modal_;
+  std::optional<program::Interpreter> interpreter_;
+  std::optional<TravelGuard> guard_;
+  std::vector<geometry::PathItem> items_;  ///< of the newest block, from `next_item_` still to be appended
+  std::size_t next_item_ = 0;
+  std::deque<Record> records_;
+  std::shared_ptr<const program::Parameters> first_parameters_, parameters_;
+  std::optional<language::Error> failure_;  ///< of the block after the last record
+  double look_ahead_s_ = 0;
+};
+
+}  // namespace cnclab::panel

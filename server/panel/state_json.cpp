@@ -1,0 +1,150 @@
+// JSON out and in. Nothing that is read is trusted.
+#include "panel/state_json.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "panel/editor_json.hpp"
+
+namespace cnclab::panel {
+
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int kLargestFeed = 9999, kLargestCode = 99;
+constexpr std::int64_t kLargestFactor = 9'999'999;
+constexpr std::int64_t kLargestParameter = 9'999'999'999;  // ±9999.999999 (DEC-52)
+constexpr double kLargestIstwert_mm = 9999.999;
+
+Json modal_json(const program::ModalState& modal) {
+  return {{"plane", static_cast<int>(modal.plane)},
+          {"radius", static_cast<int>(modal.radius)},
+          {"length", modal.length_compensation},
+          {"scale_on", modal.scale_on},
+          {"scale", modal.scale},
+          {"absolute", modal.dimension == program::Dimension::absolute},
+          {"f", modal.feed_mm_per_min},
+          {"s", modal.spindle_rpm},
+          {"t", modal.tool},
+          {"m", modal.m},
+          {"m21", modal.blocks_hidden},
+          {"m22", modal.subprogram_blocks_hidden},
+          {"m23", modal.potentiometer_off},
+          {"m24", modal.test_run}};
+}
+
+/// Spindle and coolant come back switched off: the machine is (SEAT-004 "always in STOP").
+program::ModalState modal_of(const Json& json) {
+  program::ModalState modal;
+  modal.plane = static_cast<geometry::Plane>(integer_in(json, "plane", 0, 2, 0));
+  modal.radius = static_cast<program::RadiusCompensation>(integer_in(json, "radius", 0, 4, 0));
+  modal.length_compensation = flag_in(json, "length");
+  modal.scale_on = flag_in(json, "scale_on");
+  if (const Json* scale = member_of(json, "scale"); scale != nullptr && scale->is_array() && scale->size() == 3)
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      modal.scale[axis] = integer_of((*scale)[axis], -kLargestFactor, kLargestFactor).value_or(1000);
+  modal.dimension = flag_in(json, "absolute") ? program::Dimension::absolute : program::Dimension::incremental;
+  modal.feed_mm_per_min = static_cast<int>(integer_in(json, "f", 0, kLargestFeed, 0));
+  modal.spindle_rpm = static_cast<int>(integer_in(json, "s", 0, kLargestFeed, 0));
+  modal.tool = static_cast<int>(integer_in(json, "t", 0, kLargestCode, 0));
+  modal.m = static_cast<int>(integer_in(json, "m", 0, kLargestCode, modal.m));
+  modal.blocks_hidden = flag_in(json, "m21");
+  modal.subprogram_blocks_hidden = flag_in(json, "m22");
+  modal.potentiometer_off = flag_in(json, "m23");
+  modal.test_run = flag_in(json, "m24");
+  return modal;
+}
+
+Json parameters_json(const program::Parameters& parameters) {
+  Json json = Json::object();
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    if (parameters[i] != 0) json[std::to_string(i)] = parameters[i];
+  return json;
+}
+
+program::Parameters parameters_of(const Json& json) {
+  program::Parameters parameters{};
+  for (std::size_t i = 0; i < parameters.size(); ++i)
+    parameters[i] = integer_in(json, std::to_string(i).c_str(), -kLargestParameter, kLargestParameter, 0);
+  return parameters;
+}
+
+Json automat_json(const AutomatMode& mode) {
+  return {{"phase", static_cast<int>(mode.phase)},
+          {"program", field_json(mode.program)},
+          {"block", field_json(mode.block)}};
+}
+
+AutomatMode automat_of(const Json& json, const ControlState& state) {
+  AutomatMode mode;
+  read_field(json, "program", mode.program);
+  read_field(json, "block", mode.block);
+  const auto phase = static_cast<AutomatMode::Phase>(integer_in(json, "phase", 0, 2, 0));
+  const language::Program* program = state.memory.find(mode.program_number());
+  if (program == nullptr || mode.program_number() == language::kToolTable) return mode;
+  const bool has_block = program->find(mode.block_number()).has_value();
+  mode.phase = phase == AutomatMode::Phase::ready && !has_block ? AutomatMode::Phase::block : phase;
+  prepare_start(mode, state);
+  return mode;
+}
+
+std::optional<Mode> mode_named(const Json& json) {
+  const Json* name = member_of(json, "mode");
+  if (name == nullptr || !name->is_string()) return std::nullopt;
+  for (int i = 0; i < kModes; ++i)
+    if (name->get_ref<const std::string&>() == name_of(static_cast<Mode>(i))) return static_cast<Mode>(i);
+  return std::nullopt;
+}
+
+ActiveMode active_mode_of(Mode mode, const Json& json, ControlState& state) {
+  static const Json kNothing = Json::object();
+  const auto part = [&](const char* name) -> const Json& {
+    const Json* found = member_of(json, name);
+    return found == nullptr ? kNothing : *found;
+  };
+  if (mode == Mode::editor) return editor_of(part("editor"), state);
+  if (mode == Mode::automat) return automat_of(part("automat"), state);
+  return open_mode(mode, state);
+}
+
+}  // namespace
+
+std::string write_state(const ActiveMode& mode, const ControlState& state) {
+  const program::ModalState modal = state.run.is_present() ? state.run.modal() : state.modal;
+  const machine::Snapshot machine = state.machine();
+  Json json{{"v", 1},
+            {"mode", name_of(mode_of(mode))},
+            {"override", state.override_percent},
+            {"modal", modal_json(modal)},
+            {"parameters", parameters_json(state.parameters)},
+            {"istwert", {machine.istwert_mm[0], machine.istwert_mm[1], machine.istwert_mm[2]}},
+            {"editor_program", state.editor_program},
+            {"automat_program", state.automat_program}};
+  if (const auto* editor = std::get_if<EditorMode>(&mode)) json["editor"] = editor_json(*editor);
+  if (const auto* automat = std::get_if<AutomatMode>(&mode)) json["automat"] = automat_json(*automat);
+  return json.dump();
+}
+
+ReadState read_state(const std::string& text, ControlState& state) {
+  ReadState read;
+  const Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object()) return read;
+  state.override_percent = static_cast<int>(integer_in(json, "override", 0, 100, state.override_percent));
+  if (const Json* modal = member_of(json, "modal")) state.modal = modal_of(*modal);
+  if (const Json* parameters = member_of(json, "parameters")) state.parameters = parameters_of(*parameters);
+  state.editor_program = static_cast<std::uint16_t>(integer_in(json, "editor_program", 0, language::kLastProgram, 1));
+  state.automat_program = static_cast<std::uint16_t>(integer_in(json, "automat_program", 0, language::kLastProgram, 1));
+  if (const Json* istwert = member_of(json, "istwert");
+      istwert != nullptr && istwert->is_array() && istwert->size() == 3) {
+    read.istwert_mm.emplace();
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      if (const Json& value = (*istwert)[axis]; value.is_number())
+        (*read.istwert_mm)[axis] = std::clamp(value.get<double>(), -kLargestIstwert_mm, kLargestIstwert_mm);
+  }
+  if (const auto mode = mode_named(json)) read.mode = active_mode_of(*mode, json, state);
+  return read;
+}
+
+}  // namespace cnclab::panel

@@ -1,0 +1,248 @@
+// The table of texts, and how values are filled into them.
+#include "panel/texts.hpp"
+
+namespace cnclab::panel {
+
+namespace {
+
+constexpr std::array<TextRow, kTexts> kTable{{
+    {Text::program_number, "PROGRAMM NR ", "PROGRAM NO "},
+    {Text::in_preparation, "IN VORBEREITUNG", "IN PREPARATION"},
+    {Text::limit_switch, "Endschalter", "Limit switch"},
+    {Text::not_stored, "Nicht gespeichert", "Not stored"},
+    {Text::no_programs, "Keine Programme", "No programs"},
+    {Text::menu_hand, "Handbetrieb", "Manual operation"},
+    {Text::menu_hand_input, "Handeingabe", "Manual data input"},
+    {Text::menu_teach_in, "Teach In", "Teach In"},
+    {Text::menu_automat, "Automat", "Automatic"},
+    {Text::menu_external_data, "Externe Daten", "External data"},
+    {Text::menu_graphics, "Grafik", "Graphics"},
+    {Text::menu_erase_memory, "Speicher Löschen", "Erase memory"},
+    {Text::menu_editor, "Eingabemodus", "Program entry"},
+
+    {Text::side_seat, "Platz {}", "Seat {}"},
+    {Text::side_training, "TRAINING", "TRAINING"},
+    {Text::side_machine, "MASCHINE", "MACHINE"},
+    {Text::side_controller, "Maschine:", "Machine:"},
+    {Text::side_nobody, "niemand", "nobody"},
+    {Text::side_unreferenced, "UNREF.", "UNREF."},
+    {Text::side_override, "Poti  {} %", "Feed  {} %"},
+    {Text::side_start, "START", "START"},
+    {Text::side_single, "EINZELS.", "SINGLE"},
+    {Text::side_spindle, "SPINDEL", "SPINDLE"},
+    {Text::side_coolant, "KUEHLM.", "COOLANT"},
+    {Text::side_limit, "ENDSCH.", "LIMIT SW"},
+    {Text::side_message, "Meldung {}.", "Hand {}."},
+    {Text::side_halt, "HALT {}", "HALT {}"},
+
+    {Text::all_keys, "? alle Tasten", "? all keys"},
+
+    {Text::help_open_menu, "Menü", "menu"},
+    {Text::help_digits, "Ziffern", "figures"},
+    {Text::help_point, "Punkt", "point"},
+    {Text::help_sign, "Vorzeichen", "sign"},
+    {Text::help_clear, "löschen", "clear"},
+    {Text::help_confirm, "bestätigen", "confirm"},
+    {Text::help_first_blocks, "erste Sätze", "first blocks"},
+    {Text::help_page, "Sätze ab N", "blocks from N"},
+    {Text::help_search, "Satz N laden", "load block N"},
+    {Text::help_store, "speichern", "store"},
+    {Text::help_erase_block, "Satz löschen", "delete block"},
+    {Text::help_parametric, "Parameterfunktion", "parametric function"},
+    {Text::help_parameter, "Parameter #", "parameter #"},
+    {Text::help_next_word, "nächstes Wort", "next word"},
+    {Text::help_words, "Wörter", "words"},
+    {Text::help_start, "Start", "start"},
+    {Text::help_stop, "Halt", "stop"},
+    {Text::help_single, "Einzelsatz", "single block"},
+
+    {Text::wait_menu, "Betriebsart mit ihrer Taste wählen.", "Choose an operating mode with its key."},
+    {Text::wait_coming, "{} ist in Vorbereitung. Mit MENU zurück.", "{} is in preparation. MENU leads back."},
+    {Text::wait_editor_program, "P{} mit → öffnen (↓: ab dem ersten Satz), oder C und eine andere Nummer.",
+     "Open P{} with → (↓: from the first block), or C and another number."},
+    {Text::wait_editor_empty, "Programmnummer tippen; → oder ↓ zeigt alle Programme.",
+     "Type a program number; → or ↓ lists all programs."},
+    {Text::wait_overview, "Alle Programme. ↓ blättert, Ziffern wählen ein Programm.",
+     "All programs. ↓ pages on, figures choose a program."},
+    {Text::wait_number, "Satznummer mit → bestätigen, ↓ blättert, SATZ SUCHEN lädt den Satz.",
+     "Confirm the block number with →, ↓ pages, SATZ SUCHEN loads the block."},
+    {Text::wait_function, "Funktion tippen (zwei Ziffern), dann → für ihre Wörter.",
+     "Type the function (two figures), then → for its words."},
+    {Text::wait_word, "Wort {} eingeben, → zum nächsten, EINGABE speichert den Satz.",
+     "Enter word {}, → for the next one, EINGABE stores the block."},
+    {Text::wait_store, "Der Satz wird gespeichert …", "The block is being stored …"},
+    {Text::wait_automat_program, "P{} mit → bestätigen, oder C und eine andere Nummer.",
+     "Confirm P{} with →, or C and another number."},
+    {Text::wait_automat_block, "Startsatz mit → bestätigen, oder C und eine andere Nummer.",
+     "Confirm the start block with →, or C and another number."},
+    {Text::wait_ready, "Bereit: START beginnt P{} bei N{}.", "Ready: START begins P{} at N{}."},
+    {Text::wait_ready_rebuilt, "Ab N{}: G, F, S, T aus den Sätzen davor übernommen; die Position bleibt, wie sie ist.",
+     "From N{}: G, F, S, T taken from the blocks before; the position stays where it is."},
+    {Text::wait_running, "Programm läuft: P{} N{}. STOP hält auf der Rampe an.",
+     "Program runs: P{} N{}. STOP halts on the ramp."},
+    {Text::wait_stopping, "Die Achsen bremsen bei P{} N{}.", "The axes brake at P{} N{}."},
+    {Text::wait_stopped, "Angehalten in P{} N{}. START fährt weiter, MENU bricht ab.",
+     "Stopped in P{} N{}. START goes on, MENU abandons the run."},
+    {Text::wait_single, "Einzelsatz: START führt P{} N{} aus, MENU bricht ab.",
+     "Single block: START executes P{} N{}, MENU abandons the run."},
+    {Text::wait_halt, "Programmierter Halt in P{} N{}. START setzt fort, STOP hält an.",
+     "Programmed halt in P{} N{}. START goes on, STOP stops."},
+    {Text::wait_input, "P{} N{} wartet auf einen Eingang. START hebt das Warten auf.",
+     "P{} N{} waits for an input. START ends the waiting."},
+    {Text::wait_ended, "Programm beendet. START beginnt wieder bei N{}.", "Program ended. START begins again at N{}."},
+
+    {Text::said_limit_switch, "Endschalter {} erreicht: Programm abgebrochen, Achse freigefahren, ihr Istwert ist 0.",
+     "Limit switch {} reached: program abandoned, axis driven free, its actual value is 0."},
+    {Text::said_power_off, "Die Antriebe wurden abgeschaltet: Programm abgebrochen.",
+     "The drives were switched off: program abandoned."},
+    {Text::said_machine_halt, "MASCHINE HALT wurde gedrückt: Programm abgebrochen.",
+     "MASCHINE HALT was pressed: program abandoned."},
+    {Text::said_lease, "Die Maschine wurde diesem Platz genommen: Programm abgebrochen.",
+     "The machine was taken from this seat: program abandoned."},
+    {Text::said_start_refused, "START wurde nicht angenommen: Maschine gesperrt oder abgeschaltet.",
+     "START was not accepted: the machine is locked or switched off."},
+    {Text::said_not_at_rest, "Die Maschine steht noch nicht: gleich noch einmal START.",
+     "The machine does not stand still yet: press START again."},
+    {Text::said_no_machine, "Es ist keine Maschine angeschlossen.", "No machine is connected."},
+    {Text::said_failed_before, "{} Erst den Satz ändern (MENU, EINGABE) oder anders starten.",
+     "{} First change the block (MENU, EINGABE) or start elsewhere."},
+    {Text::said_not_stored, "Nicht gespeichert: {}", "Not stored: {}"},
+    {Text::said_no_more_blocks, "Ab hier gibt es keine weiteren Sätze.", "There are no further blocks from here."},
+    {Text::said_not_loaded, "Erst den Satz mit SATZ SUCHEN laden, dann löschen.",
+     "First load the block with SATZ SUCHEN, then delete it."},
+    {Text::said_tool_number, "Werkzeugnummern gehen von T001 bis T099.", "Tool numbers go from T001 to T099."},
+    {Text::said_overflow_n999, "Kein Platz zum Einfügen: der letzte Satz würde N999 überschreiten.",
+     "No room to insert: the last block would pass N999."},
+    {Text::said_parameter_unfinished, "Im Wort {} fehlt die Parameternummer 00 bis 69.",
+     "Word {} lacks its parameter number 00 to 69."},
+    {Text::said_code_missing, "Die Funktion fehlt: zwei Ziffern tippen, dann → für ihre Wörter.",
+     "The function is missing: type two figures, then → for its words."},
+    {Text::said_program_number, "Programmnummern gehen von P0000 bis P9999.",
+     "Program numbers go from P0000 to P9999."},
+    {Text::said_block_number, "Satznummern gehen von N001 bis N999.", "Block numbers go from N001 to N999."},
+    {Text::said_number_missing, "Es fehlt eine Nummer: Ziffern tippen, dann →.",
+     "A number is missing: type figures, then →."},
+    {Text::said_connected, "Die Maschine hat gewechselt: angefangene Läufe sind abgebrochen.",
+     "The machine has changed: runs that had begun are abandoned."},
+    {Text::said_not_on_lab_machine, "Das geht nicht, solange dieser Platz die Maschine im Raum hat.",
+     "This is not possible while this seat has the lab's machine."},
+    {Text::hint_running, "{} wirkt hier nicht: während des Laufs nur STOP und EINZELSATZ.",
+     "{} has no effect here: during the run only STOP and EINZELSATZ."},
+    {Text::hint_waiting, "{} wirkt hier nicht: das Programm wartet auf START oder STOP.",
+     "{} has no effect here: the program waits for START or STOP."},
+    {Text::hint_menu_first, "{} wirkt nur im Menü: erst MENU drücken.", "{} works in the menu only: press MENU first."},
+    {Text::hint_no_effect, "{} hat hier keine Wirkung.", "{} has no effect here."},
+    {Text::hint_storing, "{} wirkt nicht, solange gespeichert wird.",
+     "{} has no effect while a block is being stored."},
+    {Text::hint_coming, "{} ist in Vorbereitung: hier führt nur MENU zurück.",
+     "{} is in preparation: only MENU leads back from here."},
+    {Text::hint_single_off, "EINZELSATZ lässt sich erst nach STOP ausschalten.",
+     "EINZELSATZ can be switched off only after STOP."},
+}};
+
+constexpr bool is_in_order() {
+  for (std::size_t i = 0; i < kTexts; ++i)
+    if (kTable[i].id != static_cast<Text>(i)) return false;
+  return true;
+}
+static_assert(is_in_order(), "the rows stand in the order of Text");
+
+struct ModeNames {
+  std::string_view german, english;
+};
+
+constexpr std::array<ModeNames, kModes> kTitles{{
+    {"", ""},
+    {"HANDBETRIEB", "MANUAL OPERATION"},
+    {"HANDEINGABE", "MANUAL INPUT"},
+    {"TEACH IN", "TEACH IN"},
+    {"AUTOMAT", "AUTOMATIC"},
+    {"EXTERNE DATEN", "EXTERNAL DATA"},
+    {"GRAFIK", "GRAPHICS"},
+    {"SPEICHER LOESCHEN", "ERASE MEMORY"},
+    {"EINGABEMODUS", "PROGRAM ENTRY"},
+    {"MASCHINENDATEN", "MACHINE DATA"},
+    {"SPEICHERTEST", "MEMORY TEST"},
+}};
+
+constexpr std::array<std::string_view, kKeys + 1> kLabels{"",
+                                                          "HAND",
+                                                          "START",
+                                                          "STOP",
+                                                          "+X",
+                                                          "-X",
+                                                          "+Y",
+                                                          "-Y",
+                                                          "+Z",
+                                                          "-Z",
+                                                          "ISTWERT",
+                                                          "FRÄSER",
+                                                          "KÜHLMITTEL",
+                                                          "AUTOMAT",
+                                                          "GRAFIK",
+                                                          "MENU",
+                                                          "EINZELSATZ",
+                                                          "REFERENZ",
+                                                          "EXTERNE DATEN",
+                                                          "TEACH IN",
+                                                          "SATZ SUCHEN",
+                                                          "SPEICHER LÖSCHEN",
+                                                          "EINGABE",
+                                                          "HANDEINGABE",
+                                                          "SATZ LÖSCHEN",
+                                                          "0",
+                                                          "1",
+                                                          "2",
+                                                          "3",
+                                                          "4",
+                                                          "5",
+                                                          "6",
+                                                          "7",
+                                                          "8",
+                                                          "9",
+                                                          ".",
+                                                          "+/-",
+                                                          "↓",
+                                                          "C",
+                                                          "→",
+                                                          "RESET",
+                                                          "MELDUNG",
+                                                          "MASCHINE HALT",
+                                                          "LABOR"};
+
+}  // namespace
+
+const std::array<TextRow, kTexts>& text_table() { return kTable; }
+
+std::string_view text(Text id, language::Tongue tongue) {
+  const TextRow& row = kTable[static_cast<std::size_t>(id)];
+  return tongue == language::Tongue::german ? row.german : row.english;
+}
+
+std::string text(Text id, language::Tongue tongue, std::initializer_list<std::string_view> values) {
+  std::string filled;
+  std::string_view rest = text(id, tongue);
+  for (const std::string_view value : values) {
+    const std::size_t place = rest.find("{}");
+    if (place == std::string_view::npos) break;
+    filled.append(rest.substr(0, place)).append(value);
+    rest.remove_prefix(place + 2);
+  }
+  return filled.append(rest);
+}
+
+std::string_view title_of(Mode mode, language::Tongue tongue) {
+  const ModeNames& names = kTitles[static_cast<std::size_t>(mode)];
+  return tongue == language::Tongue::german ? names.german : names.english;
+}
+
+std::string_view name_of(Mode mode) {
+  return mode == Mode::menu ? std::string_view("MENU") : kTitles[static_cast<std::size_t>(mode)].german;
+}
+
+std::string_view label_of(Key key) {
+  const auto index = static_cast<std::size_t>(key);
+  return index < kLabels.size() ? kLabels[index] : std::string_view();
+}
+
+}  // namespace cnclab::panel

@@ -1,0 +1,139 @@
+// Every text of the panel in both languages: one table, German as the original, English complete (DEC-02).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <initializer_list>
+#include <string>
+#include <string_view>
+
+#include "language/units.hpp"
+#include "panel/mode.hpp"
+#include "shared/key.hpp"
+
+namespace cnclab::panel {
+
+enum class Text : std::uint8_t {
+  // The monitor
+  program_number,
+  in_preparation,
+  limit_switch,
+  not_stored,
+  no_programs,
+  menu_hand,
+  menu_hand_input,
+  menu_teach_in,
+  menu_automat,
+  menu_external_data,
+  menu_graphics,
+  menu_erase_memory,
+  menu_editor,
+  // The side column
+  side_seat,
+  side_training,
+  side_machine,
+  side_controller,
+  side_nobody,
+  side_unreferenced,
+  side_override,
+  side_start,
+  side_single,
+  side_spindle,
+  side_coolant,
+  side_limit,
+  side_message,
+  side_halt,
+  // The bottom row
+  all_keys,
+  // What keys do: the help rows
+  help_open_menu,
+  help_digits,
+  help_point,
+  help_sign,
+  help_clear,
+  help_confirm,
+  help_first_blocks,
+  help_page,
+  help_search,
+  help_store,
+  help_erase_block,
+  help_parametric,
+  help_parameter,
+  help_next_word,
+  help_words,
+  help_start,
+  help_stop,
+  help_single,
+  // Row 18: what the control waits for
+  wait_menu,
+  wait_coming,
+  wait_editor_program,
+  wait_editor_empty,
+  wait_overview,
+  wait_number,
+  wait_function,
+  wait_word,
+  wait_store,
+  wait_automat_program,
+  wait_automat_block,
+  wait_ready,
+  wait_ready_rebuilt,
+  wait_running,
+  wait_stopping,
+  wait_stopped,
+  wait_single,
+  wait_halt,
+  wait_input,
+  wait_ended,
+  // Row 18: what was wrong, what to do
+  said_limit_switch,
+  said_power_off,
+  said_machine_halt,
+  said_lease,
+  said_start_refused,
+  said_not_at_rest,
+  said_no_machine,
+  said_failed_before,
+  said_not_stored,
+  said_no_more_blocks,
+  said_not_loaded,
+  said_tool_number,
+  said_overflow_n999,
+  said_parameter_unfinished,
+  said_code_missing,
+  said_program_number,
+  said_block_number,
+  said_number_missing,
+  said_connected,
+  said_not_on_lab_machine,
+  hint_running,
+  hint_waiting,
+  hint_menu_first,
+  hint_no_effect,
+  hint_storing,
+  hint_coming,
+  hint_single_off,
+  count_
+};
+
+inline constexpr std::size_t kTexts = static_cast<std::size_t>(Text::count_);
+
+struct TextRow {
+  Text id{};
+  std::string_view german, english;
+};
+
+/// The whole table in the order of `Text`; for tests.
+[[nodiscard]] const std::array<TextRow, kTexts>& text_table();
+
+[[nodiscard]] std::string_view text(Text id, language::Tongue tongue);
+/// The text with each "{}" replaced by the next value; surplus values are left out.
+[[nodiscard]] std::string text(Text id, language::Tongue tongue, std::initializer_list<std::string_view> values);
+
+/// The title on the monitor: "AUTOMAT", "EINGABEMODUS", …; empty for the menu.
+[[nodiscard]] std::string_view title_of(Mode mode, language::Tongue tongue);
+
+/// The label of the key on the original keyboard (D-08): "SPEICHER LÖSCHEN", "→", "C", "+/-".
+[[nodiscard]] std::string_view label_of(Key key);
+
+}  // namespace cnclab::panel

@@ -1,0 +1,74 @@
+// Lines are checked at their ends, arcs at their ends and wherever they reach furthest along an axis.
+#include "panel/travel_guard.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <vector>
+
+#include "geometry/path_math.hpp"
+
+namespace cnclab::panel {
+
+namespace {
+
+using geometry::Point;
+
+constexpr std::array<double Point::*, 3> kAxes{&Point::x, &Point::y, &Point::z};
+constexpr int kFirstTravel = 3, kFirstSteps = 14;  // MD 03..05 and 14..16
+constexpr double kRounding_mm = 1e-6;              // a way that ends exactly on the limit is allowed
+
+/// The points of an arc with the greatest and least coordinates: its ends and each quarter turn between them.
+std::vector<Point> extremes_of(const geometry::Arc& arc) {
+  constexpr double kQuarter = std::numbers::pi / 2;
+  std::vector<Point> points{arc.from, arc.to};
+  const geometry::ArcShape shape = geometry::shape_of(arc);
+  const double end_angle = shape.start_angle + shape.sweep;
+  const auto [least, most] = std::minmax(shape.start_angle, end_angle);
+  for (double angle = std::ceil(least / kQuarter) * kQuarter; angle < most; angle += kQuarter) {
+    const double way = shape.length * (angle - shape.start_angle) / shape.sweep;
+    points.push_back(geometry::point_at(arc, shape, std::clamp(way, 0.0, shape.length)));
+  }
+  return points;
+}
+
+std::string millimetres(double value) {
+  std::array<char, 32> text{};
+  const int length = std::snprintf(text.data(), text.size(), "%.3f", value);
+  return {text.data(), static_cast<std::size_t>(std::clamp(length, 0, 31))};
+}
+
+}  // namespace
+
+TravelGuard::TravelGuard(const machine::Snapshot& snapshot, const machine::MachineData& data, const Point& start) {
+  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+    const int number = static_cast<int>(axis);
+    const double half_travel = static_cast<double>(data.get(kFirstTravel + number)) / 2000.0;
+    const double stands_at =
+        static_cast<double>(snapshot.steps[axis]) / static_cast<double>(data.get(kFirstSteps + number));
+    low_[axis] = start.*kAxes[axis] - stands_at - half_travel;
+    high_[axis] = start.*kAxes[axis] - stands_at + half_travel;
+  }
+}
+
+std::optional<language::Error> TravelGuard::fault_of(const geometry::PathItem& item) const {
+  std::vector<Point> points;
+  if (const auto* line = std::get_if<geometry::Line>(&item.what)) points = {line->from, line->to};
+  if (const auto* arc = std::get_if<geometry::Arc>(&item.what)) points = extremes_of(*arc);
+  for (const Point& point : points) {
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+      const double value = point.*kAxes[axis];
+      if (value >= low_[axis] - kRounding_mm && value <= high_[axis] + kRounding_mm) continue;
+      return language::Error{.code = language::ErrorCode::travel_exceeded,
+                             .program = item.source.program,
+                             .block = item.source.block,
+                             .word = "XYZ"[axis],
+                             .detail = millimetres(value),
+                             .expected = millimetres(low_[axis]) + ".." + millimetres(high_[axis])};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace cnclab::panel
