@@ -80,10 +80,7 @@ void ChannelTick::obey(const BeginRun& order, bool /*is_fresh*/) noexcept {
   use_limits(order.limits);
   follower_.begin(order.run, order.position, order.limits);
   run_ = {.number = order.run, .is_active = true, .anchor_due = true};
-  const std::array<double, 4> place{order.position.x, order.position.y, order.position.z, order.position.u};
-  for (std::size_t i = 0; i < 4; ++i) {
-    run_.origin[i] = counters_.steps()[i] - std::llround(place[i] * counters_.per_mm(i));
-  }
+  anchor_at(order.position);
   sequence_ = 0;
 }
 

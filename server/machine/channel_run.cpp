@@ -54,10 +54,15 @@ void ChannelTick::anchor_path() noexcept {
   const geometry::Point* start = next != nullptr ? start_of(*next) : nullptr;
   if (start == nullptr) return;
   run_.anchor_due = false;
-  follower_.set_position(*start);
-  const auto place = axes_of(*start);
+  anchor_at(*start);
+}
+
+/// Calls the place where the axes are `place`.
+void ChannelTick::anchor_at(const geometry::Point& place) noexcept {
+  follower_.set_position(place);
+  const auto mm = axes_of(place);
   for (std::size_t i = 0; i < 4; ++i) {
-    run_.origin[i] = counters_.steps()[i] - std::llround(place[i] * counters_.per_mm(i));
+    run_.origin[i] = counters_.steps()[i] - std::llround(mm[i] * counters_.per_mm(i));
   }
 }
 
@@ -221,6 +226,7 @@ void ChannelTick::end_program_reference() noexcept {
     counters_.set_istwert(i, reference->value[i]);
     referenced_[i] = true;
   }
+  anchor_at(follower_.position());
   run_.anchor_due = true;
 }
 

@@ -70,6 +70,7 @@ class ChannelTick {
   [[nodiscard]] bool execute(const motion::Segment& event) noexcept;
   void pass_event() noexcept;
   void anchor_path() noexcept;
+  void anchor_at(const geometry::Point& place) noexcept;
   [[nodiscard]] bool place_axes(double tick_s) noexcept;
   [[nodiscard]] bool is_input_active(const geometry::Wait& wait) const noexcept;
   void set_output(const geometry::Output& output) noexcept;

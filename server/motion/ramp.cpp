@@ -23,6 +23,10 @@ Phase ramp_to(double speed, double target, double acceleration) {
   return {acceleration, (target * target - speed * speed) / (2 * acceleration), target};
 }
 
+bool is_on_envelope(double speed, const Course& course) {
+  return speed * speed >= course.envelope_sq * (1 - kTightSquare);
+}
+
 /// Along the envelope: RAMPE down to the next change.
 Phase along_envelope(double speed, double way, double ramp) {
   return {-ramp, way, std::sqrt(std::max(0.0, speed * speed - 2 * ramp * way))};
@@ -36,7 +40,7 @@ Phase braking_to_rest(double speed, const Course& course, bool stop, const Limit
     return ramp_to(speed, std::max(course.cap_mm_per_s, rest_from), -ramp);
   const double gentle = limits.stop_deceleration_mm_per_s2;
   const double below_envelope = course.envelope_sq - speed * speed;
-  if (gentle >= ramp || below_envelope <= kTightSquare * course.envelope_sq) return ramp_to(speed, rest_from, -ramp);
+  if (gentle >= ramp || is_on_envelope(speed, course)) return ramp_to(speed, rest_from, -ramp);
   const Phase phase = ramp_to(speed, rest_from, -gentle);
   const double meets_envelope = below_envelope / (2 * (ramp - gentle));
   if (meets_envelope >= phase.way) return phase;
@@ -47,7 +51,7 @@ Phase travelling(double speed, const Course& course, double ramp) {
   const double cap = course.cap_mm_per_s;
   if (speed > cap * (1 + kTight)) return ramp_to(speed, cap, -ramp);
   const double below_envelope = course.envelope_sq - speed * speed;
-  if (below_envelope <= kTightSquare * course.envelope_sq) return along_envelope(speed, course.way_mm, ramp);
+  if (is_on_envelope(speed, course)) return along_envelope(speed, course.way_mm, ramp);
   if (speed >= cap * (1 - kTight)) return {0, below_envelope / (2 * ramp), speed};
   const Phase to_cap = ramp_to(speed, cap, ramp);
   const double to_envelope = below_envelope / (4 * ramp);

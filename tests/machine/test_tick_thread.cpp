@@ -1,0 +1,64 @@
+// The 1 ms beat on the real clock: channels come and go while it runs.
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "channel_rig.hpp"
+#include "machine/tick_thread.hpp"
+
+namespace cnclab::machine {
+namespace {
+
+/// Waits for a condition with a limit; gives the processor away meanwhile.
+template <class Condition>
+bool comes_true(Condition&& condition) {
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (std::chrono::steady_clock::now() < limit) {
+    if (condition()) return true;
+    std::this_thread::yield();
+  }
+  return false;
+}
+
+TEST(TickThread, TicksEachChannelAndTellsWhatItWasGranted) {
+  TickThread beat;
+  EXPECT_FALSE(beat.privileges().empty());
+  WatchedMachine machine_a{{}}, machine_b{{}};
+  const auto a = std::make_shared<Channel>(machine_a, MachineData{});
+  const auto b = std::make_shared<Channel>(machine_b, MachineData{});
+  ASSERT_TRUE(beat.add(a));
+  ASSERT_TRUE(beat.add(b));
+  EXPECT_TRUE(comes_true([&] { return a->snapshot().tick > 20 && b->snapshot().tick > 20; }));
+  EXPECT_GE(beat.statistics().ticks, 20U);
+}
+
+TEST(TickThread, ARemovedChannelIsNeverTouchedAgain) {
+  TickThread beat;
+  for (int round = 0; round < 50; ++round) {
+    auto machine = std::make_unique<WatchedMachine>(MachineData{});
+    auto channel = std::make_shared<Channel>(*machine, MachineData{});
+    ASSERT_TRUE(beat.add(channel));
+    ASSERT_TRUE(comes_true([&] { return channel->snapshot().tick > 0; }));
+    beat.remove(channel);
+    const auto tick = channel->snapshot().tick;
+    EXPECT_EQ(channel.use_count(), 1);
+    EXPECT_EQ(channel->snapshot().tick, tick);
+  }
+}
+
+TEST(TickThread, PlacesAreBounded) {
+  TickThread beat;
+  WatchedMachine machine{{}};
+  std::vector<std::shared_ptr<Channel>> channels;
+  for (int i = 0; i < TickThread::kMostChannels; ++i) {
+    channels.push_back(std::make_shared<Channel>(machine, MachineData{}));
+    ASSERT_TRUE(beat.add(channels.back()));
+  }
+  const auto one_more = std::make_shared<Channel>(machine, MachineData{});
+  EXPECT_FALSE(beat.add(one_more));
+  beat.remove(channels.front());
+  EXPECT_TRUE(beat.add(one_more));
+}
+
+}  // namespace
+}  // namespace cnclab::machine
