@@ -57,8 +57,8 @@ class Drawing {
         screen_.write(0, 52, say({"verbunden", "connected"}), Attribute::inverse);
         break;
       case Link::lost:
-        screen_.write(0, 58, fmt::format("{} {} s", say({"VERBINDUNG VERLOREN", "CONNECTION LOST"}), model_.lost_for_s),
-                      Attribute::inverse, 22);
+        screen_.write(0, 52, fmt::format("{} {} s", say({"VERBINDUNG VERLOREN", "CONNECTION LOST"}), model_.lost_for_s),
+                      Attribute::inverse, 28);
         break;
     }
   }

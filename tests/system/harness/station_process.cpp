@@ -54,6 +54,10 @@ void StationProcess::expect_ok(const std::string& command, Milliseconds limit) {
   throw Failure(name_ + ": `" + command + "` answered: " + what + (reply ? "\n" + text() : ""));
 }
 
+void StationProcess::press(const std::string& names) {
+  if (!process_.write("key " + names + "\n")) throw Failure(name_ + " has ended");
+}
+
 std::vector<std::string> StationProcess::lines_until_end(const std::string& command) {
   const Deadline deadline(kListLimit);
   if (!process_.write(command + "\n")) throw Failure(name_ + " has ended");

@@ -39,6 +39,8 @@ class StationProcess {
   void expect_ok(const std::string& command, Milliseconds limit = 15s);
   /// `key` with one or several names; throws unless the server has handled them.
   void key(const std::string& names) { expect_ok("key " + names); }
+  /// As `key`, without waiting for the reply: what came of it shows only elsewhere (a server that is killed now).
+  void press(const std::string& names);
   void type(const std::string& text) { expect_ok("type " + text); }
 
   /// The screen now; throws when the station answers otherwise (offline).

@@ -178,8 +178,10 @@ std::string Terminal::text() {
   return all;
 }
 
-std::optional<std::pair<int, int>> Terminal::find(const std::string& text) {
-  for (int index = 0; index < impl_->rows; ++index) {
+std::optional<std::pair<int, int>> Terminal::find(const std::string& text) { return find_below(text, 0); }
+
+std::optional<std::pair<int, int>> Terminal::find_below(const std::string& text, int first_row) {
+  for (int index = first_row; index < impl_->rows; ++index) {
     const std::string line = row(index);
     const auto position = line.find(text);
     if (position != std::string::npos) {

@@ -42,6 +42,8 @@ class Terminal {
   [[nodiscard]] std::string text();
   /// Row and column (in cells) where `text` stands; nothing where it does not.
   [[nodiscard]] std::optional<std::pair<int, int>> find(const std::string& text);
+  /// As `find`, from a row downwards.
+  [[nodiscard]] std::optional<std::pair<int, int>> find_below(const std::string& text, int first_row);
   [[nodiscard]] bool is_inverse(int row, int column);
 
   /// Waits until `text` stands somewhere; throws Failure with the screen when it does not come.
