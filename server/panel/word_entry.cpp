@@ -105,7 +105,7 @@ std::string WordEntry::text() const {
   if (!is_negative || is_parameter) return shown;
   // A sign that has no number yet, or that stands before a zero, is typed but no part of a value.
   const std::size_t sign_place = address == language::Address::value ? 0 : 1;
-  if (!value || value->number == 0) shown.replace(sign_place, 1, "-");
+  if (!value || value->number == 0) shown[sign_place] = '-';
   return shown;
 }
 
