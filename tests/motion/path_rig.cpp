@@ -98,6 +98,20 @@ std::string joint_rule(const PathRig& rig, std::size_t i) {
   return {};
 }
 
+/// The axes' own velocities, from positions alone: between two ticks none steps by more than F START/STOP and what the
+/// ramp and the bend of an arc add. Only where at most one joint lies in these ticks.
+std::string axis_rule(const PathRig& rig, std::size_t i) {
+  if (i < 2 || rig.samples()[i].front > rig.samples()[i - 1].front_before + 1) return {};
+  const Point b = rig.samples()[i - 2].position, c = rig.samples()[i - 1].position, d = rig.samples()[i].position;
+  const double ramp = rig.limits().acceleration_mm_per_s2 * rig.tick_s();
+  const double allowed = rig.limits().start_stop_mm_per_s * (1 + 1e-6) + 2 * ramp + 1e-6;
+  for (const double step : {(d.x - c.x) - (c.x - b.x), (d.y - c.y) - (c.y - b.y), (d.z - c.z) - (c.z - b.z)}) {
+    const double change = std::abs(step) / rig.tick_s();
+    if (change > allowed) return fmt::format("an axis steps by {} mm/s, allowed are {}", change, allowed);
+  }
+  return {};
+}
+
 std::string place_rule(const PathRig& rig, std::size_t i, const Point& previous) {
   const Sample& now = rig.samples()[i];
   const double fastest = std::max(rig.limits().f_max_mm_per_s, 0.0) * rig.tick_s() * (1 + 1e-6) + 1e-9;
@@ -129,6 +143,7 @@ std::string broken_rule(const PathRig& rig, Point start) {
   for (std::size_t i = 0; i < rig.samples().size(); ++i) {
     std::string broken = speed_rule(rig, i);
     if (broken.empty()) broken = joint_rule(rig, i);
+    if (broken.empty()) broken = axis_rule(rig, i);
     if (broken.empty()) broken = place_rule(rig, i, previous);
     if (!broken.empty()) return fmt::format("tick {}: {}", i, broken);
     previous = rig.samples()[i].position;

@@ -84,7 +84,9 @@ TEST(Follower, DEC22RapidStopsFullyBeforeAndAfter) {
   for (std::size_t i = 1; i + 1 < rig.samples().size(); ++i) {
     const auto& sample = rig.samples()[i];
     const bool at_joint = sample.position.x == 10 || sample.position.x == 20;
-    if (sample.speed == 0 && rig.samples()[i - 1].speed > 0 && at_joint) ++rests;
+    if (sample.speed != 0 || rig.samples()[i - 1].speed == 0 || !at_joint) continue;
+    ++rests;
+    EXPECT_EQ(rig.samples()[i + 1].position, sample.position) << "a full stop lasts a whole tick";
   }
   EXPECT_EQ(rests, 2);
   EXPECT_NEAR(rig.time_s(), 2 * trapezoid_s(10, 1000.0 / 60) + trapezoid_s(10, 50), 6e-3);
