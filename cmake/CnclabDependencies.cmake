@@ -26,3 +26,5 @@ endif()
 add_library(cnclab_asio STATIC ${CMAKE_CURRENT_LIST_DIR}/asio.cpp)
 target_compile_definitions(cnclab_asio PUBLIC BOOST_ASIO_SEPARATE_COMPILATION BOOST_ASIO_NO_DEPRECATED)
 target_link_libraries(cnclab_asio PUBLIC Boost::headers OpenSSL::SSL OpenSSL::Crypto Threads::Threads)
+# GCC 12 takes the operator delete of Asio's coroutine frames for that of another allocation (GCC bug 103993 and kin).
+target_compile_options(cnclab_asio INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-mismatched-new-delete>)
