@@ -1,0 +1,42 @@
+// Golden traces: whole programs against paths worked out by hand (golden/README.md).
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "run_text.hpp"
+
+namespace cnclab::program {
+namespace {
+
+std::string content_of(const std::string& name) {
+  const std::ifstream file(std::string(CNCLAB_TEST_DATA) + "/golden/" + name);
+  EXPECT_TRUE(file.good()) << name;
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+struct GoldenRow {
+  const char* name;
+  std::uint16_t program;
+  std::size_t most_blocks;
+};
+
+class Golden : public testing::TestWithParam<GoldenRow> {};
+
+TEST_P(Golden, PathIsTheOneWorkedOut) {
+  const GoldenRow& row = GetParam();
+  const std::string name = row.name;
+  const RunResult run = run_text(content_of(name + ".cnc"), row.most_blocks, {.program = row.program}, Settings{});
+  EXPECT_FALSE(run.error);
+  EXPECT_EQ(run.json(), content_of(name + ".jsonl"));
+}
+
+INSTANTIATE_TEST_SUITE_P(, Golden,
+                         testing::Values(GoldenRow{"picture7", 1, 10}, GoldenRow{"ex040", 1, 100},
+                                         GoldenRow{"ex100", 2, 100}, GoldenRow{"planes", 7, 100}),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+}  // namespace
+}  // namespace cnclab::program
