@@ -19,6 +19,7 @@ void confirm_program(AutomatMode& mode, ControlState& state) {
     return;
   }
   const std::uint16_t number = mode.program_number();
+  mode.program.typed = 0;  // after a complaint the next digit begins another number
   const language::Program* program = number == language::kToolTable ? nullptr : state.memory.find(number);
   if (program == nullptr)
     return state.complain(Error{.code = ErrorCode::program_missing, .detail = program_word(number)});
@@ -28,6 +29,7 @@ void confirm_program(AutomatMode& mode, ControlState& state) {
 
 void confirm_block(AutomatMode& mode, ControlState& state) {
   const language::Program* program = state.memory.find(mode.program_number());
+  mode.block.typed = 0;
   if (program == nullptr || !program->find(mode.block_number()))
     return state.complain(Error{
         .code = ErrorCode::block_missing, .program = mode.program_number(), .detail = block_word(mode.block_number())});

@@ -28,6 +28,7 @@ void list_last_up_to(EditorMode& mode, const language::Program& program, int num
 
 void open_program(EditorMode& mode, ControlState& state, bool from_first) {
   const std::uint16_t number = mode.number();
+  mode.program.typed = 0;  // whatever comes of it, the next digit begins another number
   if (language::is_reserved_for_cycles(number))
     return state.complain(language::Error{.code = ErrorCode::reserved_for_cycles, .program = number});
   state.editor_program = number;

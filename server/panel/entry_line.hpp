@@ -89,9 +89,10 @@ class EntryLine {
   [[nodiscard]] bool down();
   void offer_number(int number);
 
-  void go_to_number() { content_.marker = Marker::number; }
+  /// Moves the marker to the number; the next digit replaces it.
+  void go_to_number() { content_.marker = Marker::number, content_.number.typed = 0; }
   /// Moves the marker from the number to the function (tool rows: to their words, which need `form`).
-  void go_to_function() { content_.marker = Marker::function; }
+  void go_to_function() { content_.marker = Marker::function, content_.code.typed = 0; }
   /// Shows the words of the function; words of the same address keep their values.
   void show_words(const language::BlockForm& form);
   [[nodiscard]] bool has_words_shown() const { return content_.shown.has_value(); }
