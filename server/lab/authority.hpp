@@ -135,6 +135,7 @@ class Authority {
   [[nodiscard]] int offered() const { return phase_ == Phase::offered ? station_ : 0; }   ///< 0 none
   [[nodiscard]] LoginId holder() const { return phase_ == Phase::granted ? login_ : kNoLogin; }
   [[nodiscard]] LoginId asked() const { return phase_ == Phase::offered ? login_ : kNoLogin; }
+  [[nodiscard]] int next_station() const { return next_station_; }  ///< waits for standstill, 0 none
   [[nodiscard]] Epoch newest() const { return newest_; }
   [[nodiscard]] bool is_halted() const { return halted_; }
   [[nodiscard]] LoginId halted_by_login() const { return halted_login_; }

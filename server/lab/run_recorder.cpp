@@ -55,7 +55,7 @@ std::string trace_csv(const std::string& packed, const std::array<double, 4>& st
   for (std::size_t i = 0; i < records; ++i) {
     const auto tick = get<std::uint64_t>(at);
     if (!first) first = tick;
-    fmt::format_to(std::back_inserter(csv), "{:.3f}", static_cast<double>(tick - *first) / 1000.0);
+    fmt::format_to(std::back_inserter(csv), "{:.3f}", static_cast<double>(tick - *first + 1) / 1000.0);
     for (const double per_mm : steps_per_mm)
       fmt::format_to(std::back_inserter(csv), ",{:.6f}", static_cast<double>(get<std::int32_t>(at)) / per_mm);
     const auto feed = get<float>(at);
