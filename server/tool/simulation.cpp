@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <ostream>
 
@@ -92,13 +93,23 @@ std::expected<RunSummary, language::Error> Simulation::run() {
     end = end_of(now);
   }
   write_trace();
-  summary_.ended = *end;
+  conclude(*end, channel_.snapshot());
+  return std::move(summary_);
+}
+
+/// What is known only at the end: where the machine rests, and how much of the item under way was done.
+void Simulation::conclude(RunEnd end, const machine::Snapshot& last) {
+  summary_.ended = end;
   summary_.machine_time_s = time_s();
-  const machine::Snapshot last = channel_.snapshot();
   summary_.blocks = last.finished_sequence;
   summary_.istwert_mm = last.istwert_mm;
-  if (*end == RunEnd::limit_switch) summary_.limit_axis = last.limit_axis;
-  return std::move(summary_);
+  if (end == RunEnd::limit_switch) summary_.limit_axis = last.limit_axis;
+  if (waiting_.empty()) return;
+  const Waiting& under_way = waiting_.front();
+  summary_.path_mm += std::min(way_in_element_mm_, under_way.length_mm);
+  if (end != RunEnd::halt && end != RunEnd::wait) return;
+  note_event(under_way.item);  // the machine stands in it, and all else of its block is done
+  if (under_way.item.ends_block) summary_.blocks = under_way.item.sequence;
 }
 
 /// Keeps the window filled; a block that does not fit waits in `pending_`.

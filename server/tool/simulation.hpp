@@ -76,6 +76,7 @@ class Simulation {
   void account(const machine::Snapshot& now);
   void note_event(const geometry::PathItem& item);
   void write_trace();
+  void conclude(RunEnd end, const machine::Snapshot& last);
   [[nodiscard]] std::optional<RunEnd> end_of(const machine::Snapshot& now) const;
   [[nodiscard]] double time_s() const;
 

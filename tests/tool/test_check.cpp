@@ -1,0 +1,133 @@
+// `cnclab-tool check`, bad files and wrong command lines (interfaces.md section 5).
+#include <gmock/gmock.h>
+
+#include "tool_process.hpp"
+
+namespace cnclab::tool {
+namespace {
+
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::StartsWith;
+
+class CheckTest : public ToolTest {};
+
+TEST_F(CheckTest, SaysNothingOfAGoodProgram) {
+  const Said said = tool("check " + write("good.cnc", kPicture7));
+  EXPECT_EQ(said.exit_code, 0);
+  EXPECT_EQ(said.out, "");
+  EXPECT_EQ(said.err, "");
+}
+
+TEST_F(CheckTest, NamesEveryErrorWithFileLineAndBlock) {
+  const std::string file = write("bad.cnc",
+                                 "P0001\n"
+                                 "N001G00X+1000\n"
+                                 "N002G01X+600000\n"
+                                 "N003G20P0009N001\n"
+                                 "N004G11F4000\n"
+                                 "N005G22P0002N007W00\n"
+                                 "P0002\n"
+                                 "N001G41\n"
+                                 "%\n");
+  const Said said = tool("check " + file);
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_EQ(said.out, "");
+  for (const char* place :
+       {":3: P0001 N002: ", ":4: P0001 N003: ", ":5: P0001 N004: ", ":6: P0001 N005: ", ":8: P0002 N001: "})
+    EXPECT_THAT(said.err, HasSubstr(file + place));
+}
+
+TEST_F(CheckTest, FindsWhatOnlyExecutionShows) {
+  const std::string file = write("no-feed.cnc", "P0001N001G00X+1000\nN002G01X+1000%");
+  const Said said = tool("check " + file);
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.err, StartsWith(file + ":2: P0001 N002: "));
+}
+
+TEST_F(CheckTest, UnknownFunctionNamesItsBlock_ERR001) {
+  const std::string file = write("g99.cnc", "P0001\nN001G17\nN002G99X+1\n%");
+  const Said said = tool("check " + file);
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.err, StartsWith(file + ":3: P0001 N002: "));
+  EXPECT_THAT(said.err, HasSubstr("G99"));
+}
+
+TEST_F(CheckTest, AProgramWithAnErrorIsNotCalledMissing) {
+  const Said said = tool("check -", "P0001N001G22P0002N001W00\nP0002N001G99%");
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.err, MatchesRegex("-:2: P0002 N001: [^\n]*\n"));
+}
+
+TEST_F(CheckTest, ReadsStandardInput) { EXPECT_EQ(tool("check -", kPicture7).exit_code, 0); }
+
+TEST_F(CheckTest, SmallLettersAreRefusedUnlessStrict_DEC30) {
+  const std::string text = "P0001N001G00X+1000(comment)\nn002 small%";
+  const Said refused = tool("check -", text);
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.err, StartsWith("-:2:"));
+  EXPECT_EQ(tool("check --strict -", "P0001N001G00X+1000n%").exit_code, 0);
+}
+
+TEST_F(CheckTest, MachineDataDecideWhatIsTooFast) {
+  const std::string data = write("machine.md", "# slow machine\n06 = 800\n10 = 200\n");
+  EXPECT_EQ(tool("check -", "P0001N001G01X+1000F0900%").exit_code, 0);
+  const Said said = tool("check - --machine-data " + data, "P0001N001G01X+1000F0900%");
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.err, HasSubstr("800"));
+  const std::string broken = write("broken.md", "06 = fast\n");
+  const Said refused = tool("check - --machine-data " + broken, kPicture7);
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.err, StartsWith(broken + ": "));
+}
+
+TEST_F(CheckTest, FilesThatAreNoneGetAClearWord) {
+  struct Row {
+    std::string name, file, part;
+  };
+  const std::string folder = at("folder");
+  std::filesystem::create_directory(folder);
+  const Row rows[] = {
+      {"missing", at("missing.cnc"), "cannot be read"},
+      {"directory", folder, "is a directory"},
+      {"empty", write("empty.cnc", ""), "is empty"},
+      {"blank", write("blank.cnc", " \n\n"), "is empty"},
+      {"binary",
+       write("binary.cnc", std::string("\x7f"
+                                       "ELF\x02\x01\x01\0\0",
+                                       9)),
+       "is no text file"},
+      {"comment only", write("comment.cnc", "(nothing)"), ""},
+  };
+  for (const Row& row : rows) {
+    for (const char* command : {"check ", "path ", "run "}) {
+      const Said said = tool(command + row.file);
+      EXPECT_EQ(said.exit_code, 1) << command << row.name;
+      EXPECT_EQ(said.out, "") << command << row.name;
+      EXPECT_THAT(said.err, StartsWith(row.file + ":")) << command << row.name;
+      EXPECT_THAT(said.err, HasSubstr(row.part)) << command << row.name;
+    }
+  }
+}
+
+TEST_F(CheckTest, WrongCommandLinesAreUsageErrors) {
+  for (const char* arguments : {"", "check", "nonsense x", "check - --nonsense", "run - --program X1",
+                                "run - --program P0000", "run - --block N1000", "plot - --out x.svg --view zz",
+                                "plot -", "convert -", "run - --tick-ms 0", "check - --dialect fanuc"})
+    EXPECT_EQ(tool(arguments, kPicture7).exit_code, 2) << arguments;
+  EXPECT_EQ(tool("--help").exit_code, 0);
+}
+
+TEST_F(CheckTest, OtherDialectsAreNamed) {
+  const Said said = tool("check - --dialect codesys", kPicture7);
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.err, HasSubstr("codesys"));
+}
+
+TEST_F(CheckTest, SpeaksGermanWhenAsked) {
+  const Said said = tool("--language de check -", "P0001N001G99%");
+  EXPECT_THAT(said.err, HasSubstr("gibt es an dieser Steuerung nicht"));
+}
+
+}  // namespace
+}  // namespace cnclab::tool
