@@ -70,7 +70,7 @@ void begin_run(AutomatMode& mode, ControlState& state) {
                   .parameters = state.parameters},
                  state.effective_data(),
                  state.settings.vocabulary};
-  if (!state.connection.channel->set_data(order.data)) {
+  if (!state.apply_data()) {
     state.hint = text(Text::said_not_at_rest, state.tongue());
     return;
   }

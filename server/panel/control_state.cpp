@@ -24,6 +24,15 @@ machine::MachineData ControlState::effective_data() const {
   return connection.is_lab_machine ? machine::on_lab_machine(data, connection.lab_data) : data;
 }
 
+bool ControlState::apply_data() {
+  if (!connection.channel) return false;
+  machine::MachineData wanted = effective_data();
+  if (applied_data == wanted) return true;
+  if (!connection.channel->set_data(wanted)) return false;
+  applied_data = std::move(wanted);
+  return true;
+}
+
 language::Plane ControlState::plane() const { return static_cast<language::Plane>(modal.plane); }
 
 machine::Snapshot ControlState::machine() const {

@@ -33,6 +33,8 @@ struct ControlState {
   int override_percent = 100;
   Run run;
 
+  std::optional<machine::MachineData> applied_data;  ///< that the connected machine has been given
+
   std::uint16_t editor_program = 1;   ///< last worked on (D-35)
   std::uint16_t automat_program = 1;  ///< last run in AUTOMAT (MOD-050)
   Message message;
@@ -47,6 +49,8 @@ struct ControlState {
   void complain(language::ErrorCode code, std::string sentence);
   /// The data of the machine that is connected now (DEC-25).
   [[nodiscard]] machine::MachineData effective_data() const;
+  /// Gives the machine the data that hold now; false where it has others and does not stand still.
+  [[nodiscard]] bool apply_data();
   [[nodiscard]] language::Plane plane() const;      ///< of the modal state
   [[nodiscard]] machine::Snapshot machine() const;  ///< all at rest where none is connected
 };
