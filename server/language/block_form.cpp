@@ -56,7 +56,7 @@ const BlockForm* form_at(Function function, Plane plane) {
 constexpr std::array<std::uint8_t, 128> make_format_index() {
   std::array<std::uint8_t, 128> index{};
   for (std::size_t i = 0; i < std::size(kFormats); ++i)
-    index[static_cast<std::size_t>(letter(kFormats[i].address))] = static_cast<std::uint8_t>(i);
+    index[static_cast<unsigned char>(letter(kFormats[i].address))] = static_cast<std::uint8_t>(i);
   return index;
 }
 constexpr std::array<std::uint8_t, 128> kFormatIndex = make_format_index();
@@ -77,7 +77,7 @@ constexpr auto kFormSets = make_form_sets();
 }  // namespace
 
 const WordFormat& format_of(Address address) {
-  return kFormats[kFormatIndex[static_cast<std::size_t>(letter(address)) % kFormatIndex.size()]];
+  return kFormats[kFormatIndex[static_cast<unsigned char>(letter(address)) % kFormatIndex.size()]];
 }
 
 const BlockForm* find_form(Function function, Plane plane, const Vocabulary& vocabulary) {

@@ -302,7 +302,7 @@ bool BlockReader::find_program() {
   if (!program) return false;
   const bool is_tool = *program == kToolTable;
   if (cursor_.current() != (is_tool ? 'T' : 'N') || !find_start(is_tool)) return false;
-  next_program_ = *program;
+  next_program_ = program;
   return true;
 }
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <bitset>
-#include <numeric>
 
 #include "language/block_reader.hpp"
 #include "language/tape_cursor.hpp"
@@ -172,8 +171,8 @@ class TapeReader {
   void sort_blocks() {
     std::vector<Block>& blocks = read_.program.blocks;
     if (std::ranges::is_sorted(blocks, {}, &Block::number)) return;
-    std::vector<std::size_t> order(blocks.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::vector<std::size_t> order;
+    for (std::size_t i = 0; i < blocks.size(); ++i) order.push_back(i);
     std::ranges::sort(order, {}, [&](std::size_t i) { return blocks[i].number; });
     ReadProgram sorted{.program = {.number = read_.program.number, .blocks = {}}, .lines = {}};
     for (const std::size_t i : order) {

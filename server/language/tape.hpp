@@ -7,6 +7,10 @@
 //            | letter "#" 2digit                                      a parameter in place of the number
 //   operands = "#" 2digit …                                           N002\01#01#02#03, N005\00#00+0, N033\51N040
 //
+// P and N have all their digits, since programs and blocks begin with the same letters: in G20 to G23 and the jumps
+// they are words as long as the block has none yet, and "N" with three digits and a function behind it always begins a
+// block. Words may stand in any order; other numbers may have fewer digits than they are written with.
+//
 // Characters below 21H and above 5FH are ignored by the control (EXT-049). Files may break lines anywhere and carry
 // comments in ( ); see DEC-30 to DEC-32. Example: P0001N001G00X+12Y-1500000Z+4150N999G01Z+500M05%
 #pragma once
