@@ -166,7 +166,8 @@ Comparison compare(const Drawing& drawing, const std::vector<TraceRow>& trace, c
   const double most_space = most_space_of(drawing, tolerance);
   Marker marker(drawing, tolerance);
   Ruler ruler;
-  const TraceRow* before = &trace.front();
+  const TraceRow at_start{};  // the tool stands at the drawing's first point
+  const TraceRow* before = &at_start;
   for (const TraceRow& row : trace) {
     const Gap gap = marker.follow(row.position);
     result.largest_space_mm = std::max(result.largest_space_mm, gap.space_mm);

@@ -64,6 +64,7 @@ class Lesson {
   [[nodiscard]] std::filesystem::path file(const char* folder, const Part& part, const std::string& ending) const;
   [[nodiscard]] Seat& seat(int station);
   [[nodiscard]] Point machine_at_rest() const;
+  void wait_until_away_from(const Point& place) const;
   void expect_machine_at(const Point& place, const std::string& why) const;
 
   std::filesystem::path out_;

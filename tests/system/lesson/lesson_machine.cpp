@@ -14,6 +14,8 @@ constexpr auto kAnswerLimit = 5s;
 constexpr auto kLossLimit = 4s;        ///< AUTH-007 gives 1 s, the ramp 0.4 s
 constexpr auto kReconnectLimit = 20s;  ///< SEAT-005: pauses grow up to 5 s
 
+constexpr double kOnItsWay_mm = 8;  ///< fast by then, and far from the end
+
 // Which station shows what; all others run plainly.
 constexpr int kWatchedByRival = 2;
 constexpr int kRival = 9;
@@ -44,6 +46,11 @@ void Lesson::expect_machine_at(const Point& place, const std::string& why) const
   if (status.at("machine").at("state") != "standstill" || distance(position_in(status), place) > 1e-9) {
     throw harness::Failure("the machine moved although " + why + ": " + status.dump());
   }
+}
+
+void Lesson::wait_until_away_from(const Point& place) const {
+  const auto is_on_its_way = [&] { return distance(position_in(instructor_->status()), place) > kOnItsWay_mm; };
+  if (!harness::eventually(kAnswerLimit, is_on_its_way)) throw harness::Failure("the machine does not move");
 }
 
 void Lesson::give_machine_to(Seat& seat) {
@@ -135,8 +142,7 @@ void Lesson::run_with_stop(Seat& seat) {
   seat.choose_program();
   const Point before = machine_at_rest();
   seat.start();
-  const auto is_on_its_way = [&] { return distance(position_in(instructor_->status()), before) > 1; };
-  if (!harness::eventually(kAnswerLimit, is_on_its_way)) throw harness::Failure(seat.name() + ": nothing moves");
+  wait_until_away_from(before);
   seat.stop();
   const Point stopped = machine_at_rest();
   if (distance(stopped, before) < 1) throw harness::Failure(seat.name() + ": STOP came too late to show anything");
@@ -158,15 +164,15 @@ void Lesson::run_with_turned_potentiometer(Seat& seat) {
 void Lesson::run_with_cut_line(Seat& seat) {
   give_machine_to(seat);
   seat.choose_program();
+  const Point before = machine_at_rest();
   seat.start();
+  wait_until_away_from(before);
   lose_line(seat);
   come_back(seat);
   run_plainly(seat);
 }
 
 void Lesson::lose_line(Seat& seat) {
-  const auto is_on_its_way = [&] { return instructor_->status().at("machine").at("state") == "moving"; };
-  if (!harness::eventually(kAnswerLimit, is_on_its_way)) throw harness::Failure(seat.name() + ": nothing moves");
   line_->cut();
   nlohmann::json status;
   const auto nobody_has_control = [&] {
