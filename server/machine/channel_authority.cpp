@@ -77,6 +77,8 @@ void ChannelTick::stop_for(StopCause cause) noexcept {
   }
   const bool abandons = abandons_run(cause);
   if (abandons) switch_off_tools();
+  const bool is_lease = cause == StopCause::lease_ended || cause == StopCause::lease_expired;
+  if (activity_ == Activity::back_off && is_lease) return;  // part of a stop itself (AUTH-009)
   if (activity_ == Activity::back_off) {
     switches_.cancel();
     referenced_ = {};

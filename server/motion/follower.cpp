@@ -243,11 +243,11 @@ Advance Follower::advance(double time_s, const Demand& demand) noexcept {
   Advance done;
   done.left_s = time_s;
   if (!demand.single_block) forget_hold();
+  if (demand.single_block && !hold_.is_chosen) seek_hold();
   for (int pieces = 0; pieces < kMostPieces && done.left_s > 0 && !done.held; ++pieces) {
     const Segment* segment = current();
     done.starved = segment == nullptr;
     if (segment == nullptr) break;
-    if (demand.single_block && !hold_.is_chosen) seek_hold();
     if (is_event(*segment)) {
       done.event_reached = true;
       break;

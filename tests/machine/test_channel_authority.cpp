@@ -221,8 +221,12 @@ TEST(ChannelAuthority, AUTH009BackOffIsFinishedWithoutALease) {
   rig.run(long_way());
   ASSERT_TRUE(rig.tick_until([](const Snapshot& s) { return s.cause == StopCause::limit_switch; }));
   rig.tick(20);
+  rig.channel.revoke(StopCause::lease_ended);
+  EXPECT_EQ(rig.tick().state, MotionState::stopping);
   ASSERT_TRUE(rig.tick_to_rest(1000));
+  EXPECT_NEAR(static_cast<double>(rig.channel.snapshot().steps[0]), 19 * 200, 2);
   EXPECT_EQ(rig.channel.snapshot().istwert_mm[0], 0);
+  EXPECT_EQ(rig.channel.snapshot().cause, StopCause::limit_switch);
 }
 
 }  // namespace

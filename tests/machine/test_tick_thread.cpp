@@ -46,6 +46,36 @@ TEST(TickThread, ARemovedChannelIsNeverTouchedAgain) {
   }
 }
 
+TEST(TickThread, LabThreadFeedsStopsAndRenewsWhileTheBeatRuns) {
+  TickThread beat;
+  WatchedMachine machine{{}};
+  const auto channel = std::make_shared<Channel>(machine, MachineData{});
+  channel->grant(kLease, kNeverExpires);
+  channel->record_trace(true);
+  ASSERT_TRUE(beat.add(channel));
+  std::vector<TracePoint> trace;
+  for (int run = 0; run < 10; ++run) {
+    motion::Planner* planner = channel->begin_run(kLease, {});
+    ASSERT_NE(planner, nullptr);
+    ASSERT_TRUE(channel->command(Go{kLease}));
+    Items items;
+    for (int i = 1; i <= 100; ++i) items.line_to({i * 0.01, 0, 0, 0}, 3000);
+    items.add(geometry::End{});
+    for (const auto& item : static_cast<const std::vector<geometry::PathItem>&>(items)) {
+      ASSERT_TRUE(planner->append(item));
+      planner->plan();
+      channel->grant(kLease, kNeverExpires);
+      channel->set_override(1);
+      (void)channel->drain_trace(trace);
+    }
+    if (run % 3 == 0) channel->stop(run % 2 == 0 ? StopCause::operator_stop : StopCause::machine_halt);
+    ASSERT_TRUE(comes_true([&] { return channel->is_settled() && !channel->snapshot().started; })) << run;
+  }
+  beat.remove(channel);
+  EXPECT_EQ(machine.sum[0], channel->snapshot().steps[0]);
+  EXPECT_GE(machine.sum[0], 6 * 200) << "the runs without a stop went their way";
+}
+
 TEST(TickThread, PlacesAreBounded) {
   TickThread beat;
   WatchedMachine machine{{}};
