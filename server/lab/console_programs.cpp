@@ -142,7 +142,7 @@ void Console::program_send(const Reply& reply, const v1::ProgramSend& request) c
   if (!tape->errors.empty()) {
     const auto& error = tape->errors.front();
     return send_error(
-        reply, fmt::format("{}:{} {}", error.line, language::place_of(error), language::explain(error, reply.tongue)));
+        reply, fmt::format("{}: {}: {}", error.line, language::place_of(error), language::message_of(error, reply.tongue)));
   }
   if (tape->programs.empty())
     return send_error(reply,

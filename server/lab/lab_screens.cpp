@@ -18,7 +18,10 @@ void Lab::draw_due(std::int64_t now_ns) {
   for (const auto& [id, desk] : desks_) {
     const bool moving = desk->control.is_running() && now_ns - desk->last_drawn_ns >= kRefresh_ns;
     if (desk->notice_until_ns != 0 && now_ns >= desk->notice_until_ns) note(*desk, "");
+    // The end of a run shows at once, and with it the state number that the next START is valid for (AUTH-008).
+    const bool was_started = desk->situation.started;
     note_situation(*desk);
+    if (was_started != desk->situation.started) desk->is_dirty = true;
     if (desk->is_dirty || moving || clock_moved) draw(desk, now_ns);
   }
 }
