@@ -156,13 +156,13 @@ void Authority::expire_offer(const Step& step) {
 
 void Authority::hear(const Step& step) {
   const auto& sign = std::get<Heard>(step.event);
-  if (sign.login != login_ || sign.beat_sent_ns <= last_beat_ns_) return;
+  if (sign.login != login_ || sign.beat_sent_ns <= last_beat_ns_ || step.machine.lease_dead) return;
   last_beat_ns_ = std::min(sign.beat_sent_ns, step.now_ns);
   step.actions.emplace_back(Grant{newest_, expiry_ns(step.machine)});
 }
 
 void Authority::watch_silence(const Step& step) {
-  if (step.now_ns <= expiry_ns(step.machine)) return;
+  if (step.now_ns <= expiry_ns(step.machine) && !step.machine.lease_dead) return;
   end_lease(StopCause::lease_expired, "station silent", step);
 }
 

@@ -40,6 +40,7 @@ struct MachineView {
   bool moving = false;
   bool run_active = false;
   bool spindle_on = false;
+  bool lease_dead = false;     ///< the tick itself has seen the newest lease expire: it never comes back
   bool manual_motion = false;  ///< axes follow the operator's hand: silence is judged more strictly (AUTH-007)
   [[nodiscard]] bool at_rest() const { return !moving && !run_active && !spindle_on; }
 };

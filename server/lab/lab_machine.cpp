@@ -111,6 +111,7 @@ MachineView Lab::machine_view() const {
   MachineView view;
   view.moving = snapshot.state == machine::MotionState::moving || snapshot.state == machine::MotionState::stopping;
   view.run_active = snapshot.started;
+  view.lease_dead = snapshot.epoch == authority_.newest() && !snapshot.lease_valid;
   view.spindle_on = snapshot.spindle != geometry::SpindleTurn::off;
   const DeskPtr desk = lab_desk_.lock();
   view.manual_motion = view.moving && desk &&

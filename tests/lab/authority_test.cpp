@@ -152,6 +152,15 @@ TEST(Authority, AUTH_007_OnlyNewerBeatsOfTheHolderRenewAndNeverIntoTheFuture) {
   EXPECT_EQ(future->expiry_ns, scene.now_ns + 1000 * kMs);
 }
 
+TEST(Authority, AUTH_007_ALeaseThatTheTickSawExpireIsNotRenewedByALateSignOfLife) {
+  Scene scene;
+  scene.grant_to(1, kFirst);
+  scene.machine.lease_dead = true;
+  EXPECT_FALSE(find<Grant>(scene.apply(Heard{kFirst, scene.now_ns + 1})));
+  EXPECT_TRUE(find<Revoke>(scene.apply(Polled{})));
+  EXPECT_EQ(scene.authority.selected(), 0);
+}
+
 TEST(Authority, AUTH_002_EveryWayOfLeavingEndsTheLease) {
   Scene scene;
   scene.grant_to(1, kFirst);
