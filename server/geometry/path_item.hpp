@@ -53,22 +53,49 @@ using PathElement = std::variant<Line, Arc>;
 
 // Machine events. All of them are plain values, so that they travel through the motion queue as they are.
 
-struct Dwell { double seconds = 0; };                                            ///< G04; a full stop
+struct Dwell {
+  double seconds = 0;
+};  ///< G04; a full stop
 enum class SpindleTurn : std::uint8_t { off, clockwise, counterclockwise };
-struct Spindle { SpindleTurn turn = SpindleTurn::off; double rpm = 0; };         ///< M03 M04 M05 M12 M13 M14, S
-struct Coolant { bool on = false; };                                             ///< M08 M09 M12 M13 M14
-struct ToolChange { int number = 0; double radius_mm = 0, length_mm = 0; };      ///< T word
-struct Output { int card = 1; int line = 0; bool on = false; };                  ///< M40..M88; line 0 = all eight
-struct Wait { int card = 0; int line = 0; };                                     ///< M16 M60..M98; card 0 = Input 1
+struct Spindle {
+  SpindleTurn turn = SpindleTurn::off;
+  double rpm = 0;
+};  ///< M03 M04 M05 M12 M13 M14, S
+struct Coolant {
+  bool on = false;
+};  ///< M08 M09 M12 M13 M14
+struct ToolChange {
+  int number = 0;
+  double radius_mm = 0, length_mm = 0;
+};  ///< T word
+struct Output {
+  int card = 1;
+  int line = 0;
+  bool on = false;
+};  ///< M40..M88; line 0 = all eight
+struct Wait {
+  int card = 0;
+  int line = 0;
+};  ///< M16 M60..M98; card 0 = Input 1
 /// G68: the named axes are called `value` from here on; nothing moves.
-struct SetActual { std::array<bool, 3> axes{}; std::array<double, 3> value{}; };
+struct SetActual {
+  std::array<bool, 3> axes{};
+  std::array<double, 3> value{};
+};
 /// G69: the named axes run to their limit switches, direction = sign of `value`, which is then their Istwert.
-struct Reference { std::array<bool, 3> axes{}; std::array<double, 3> value{}; };
-struct Halt { bool signal = false; };                                            ///< M00, M01 (with signal)
-struct Signal {};                                                                ///< M15
-struct SpindleDigits { int rpm = 0; };                                           ///< S on I/O card 3 (FST-004)
-struct End {};                                                                   ///< M02 or end of the main program
-struct Mark {};                                                                  ///< a block without effect on the machine
+struct Reference {
+  std::array<bool, 3> axes{};
+  std::array<double, 3> value{};
+};
+struct Halt {
+  bool signal = false;
+};                 ///< M00, M01 (with signal)
+struct Signal {};  ///< M15
+struct SpindleDigits {
+  int rpm = 0;
+};               ///< S on I/O card 3 (FST-004)
+struct End {};   ///< M02 or end of the main program
+struct Mark {};  ///< a block without effect on the machine
 
 using MachineEvent = std::variant<Dwell, Spindle, Coolant, ToolChange, Output, Wait, SetActual, Reference, Halt, Signal,
                                   SpindleDigits, End, Mark>;
@@ -76,12 +103,12 @@ using MachineEvent = std::variant<Dwell, Spindle, Coolant, ToolChange, Output, W
 /// One item of the stream, in the order in which the machine does it.
 struct PathItem {
   SourceBlock source;
-  std::uint64_t sequence = 0;  ///< running number of the executed block since START, from 1
-  bool ends_block = false;     ///< last item of its block: EINZELSATZ stops behind it
+  std::uint64_t sequence = 0;        ///< running number of the executed block since START, from 1
+  bool ends_block = false;           ///< last item of its block: EINZELSATZ stops behind it
   bool passes_single_block = false;  ///< EINZELSATZ does not stop behind this block: subprogram under M22 (KEY-046)
-  bool is_fourth_axis = false; ///< G12: a line of U alone
-  bool exact_stop = false;     ///< G61..G66: ramp to F START/STOP, then creep (DEC-20)
-  bool override_off = false;   ///< M23: the potentiometer does not act (taken as 100 %)
+  bool is_fourth_axis = false;       ///< G12: a line of U alone
+  bool exact_stop = false;           ///< G61..G66: ramp to F START/STOP, then creep (DEC-20)
+  bool override_off = false;         ///< M23: the potentiometer does not act (taken as 100 %)
   std::variant<Line, Arc, Dwell, Spindle, Coolant, ToolChange, Output, Wait, SetActual, Reference, Halt, Signal,
                SpindleDigits, End, Mark>
       what = Mark{};
