@@ -18,6 +18,7 @@
 
 #include "shared/frame.hpp"
 #include "shared/tls.hpp"
+#include "station/cell_text.hpp"
 #include "station/known_hosts.hpp"
 #include "station/language.hpp"
 
@@ -92,7 +93,7 @@ ConnectError wrong_version(const v1::Welcome& welcome) {
                                     "Auf beiden Seiten dieselbe cnclab-Version installieren. {}",
                                     "The server speaks another protocol version: it knows {}, this program {}. Install "
                                     "the same cnclab version on both sides. {}")),
-                  versions.empty() ? "?" : versions, kProtocolVersion, welcome.text())};
+                  versions.empty() ? "?" : versions, kProtocolVersion, printable(welcome.text()))};
 }
 
 asio::awaitable<v1::ServerMessage> read_message(asio::ssl::stream<tcp::socket>& stream) {
@@ -124,7 +125,7 @@ asio::awaitable<std::expected<v1::Welcome, ConnectError>> exchange_hello(asio::s
   co_await write_message(stream, message);
   const v1::ServerMessage answer = co_await read_message(stream);
   if (answer.has_bye())
-    co_return std::unexpected(ConnectError{exit_code_of(answer.bye().exit_code()), answer.bye().text()});
+    co_return std::unexpected(ConnectError{exit_code_of(answer.bye().exit_code()), printable(answer.bye().text())});
   if (!answer.has_welcome()) throw system_error(make_error_code(boost::system::errc::protocol_error));
   if (!answer.welcome().accepted()) co_return std::unexpected(wrong_version(answer.welcome()));
   co_return answer.welcome();

@@ -30,7 +30,32 @@ std::string described(const Binding& binding, Language language) {
   return padded(std::string(binding.label.in(language)), 18) + inputs;
 }
 
+std::string inputs_in_code(const Binding& binding) {
+  std::string inputs;
+  for (const Input& input : binding.inputs) {
+    const std::string german = input_name(input, Language::german), english = input_name(input, Language::english);
+    inputs += (inputs.empty() ? "`" : ", `") + german + (german == english ? "`" : "` (" + english + ")");
+  }
+  return inputs;
+}
+
 }  // namespace
+
+std::string key_table() {
+  std::string page =
+      "# All keys\n\nThe key of the control, its English label, and what presses it on a plain keyboard. The station's "
+      "help page\n"
+      "(`?`) is made from the same table.\n";
+  for (const Chapter& chapter : kChapters) {
+    page += "\n## " + std::string(chapter.title.english) + "\n\n| key | English | on your keyboard |\n|---|---|---|\n";
+    for (const Binding& binding : keymap()) {
+      if (binding.group != chapter.group) continue;
+      page += "| " + std::string(binding.label.german) + " | " + std::string(binding.label.english) + " | " +
+              inputs_in_code(binding) + " |\n";
+    }
+  }
+  return page;
+}
 
 std::vector<std::string> help_lines(Language language) {
   std::vector<std::string> lines;

@@ -9,6 +9,8 @@
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/system/system_error.hpp>
 
+#include "station/cell_text.hpp"
+
 namespace cnclab::station {
 
 namespace asio = boost::asio;
@@ -104,8 +106,8 @@ asio::awaitable<std::expected<LoggedIn, LoginFailure>> attempt_resume(Door door,
   co_return std::unexpected(LoginFailure(lost(door.address)));
 }
 
-asio::awaitable<std::expected<LoggedIn, Ending>> log_in(Door door, Credentials credentials, bool ask_first, Asker ask) {
-  std::optional<v1::LoginAnswer> refusal;
+asio::awaitable<std::expected<LoggedIn, Ending>> log_in(Door door, Credentials credentials, bool ask_first, Asker ask,
+                                                        std::optional<v1::LoginAnswer> refusal) {
   for (bool must_ask = ask_first;; must_ask = true) {
     if (must_ask) {
       LoginQuestion question{credentials, {}, refusal};
@@ -126,7 +128,7 @@ asio::awaitable<std::expected<LoggedIn, Ending>> log_in(Door door, Credentials c
 }
 
 std::string refusal_text(const v1::LoginAnswer& answer, Language language) {
-  if (!answer.text().empty()) return answer.text();
+  if (!answer.text().empty()) return printable(answer.text());
   const auto said = [&](std::string_view german, std::string_view english, auto... values) {
     return fmt::format(fmt::runtime(Text{german, english}.in(language)), values...);
   };
@@ -167,7 +169,7 @@ Ending ending_of(const v1::LoginAnswer& answer, Language language) {
 
 Ending ending_of(std::uint32_t exit_code, const std::string& text, Language language) {
   const ExitCode code = exit_code_of(exit_code);
-  if (!text.empty() || code == ExitCode::ended_by_user) return {code, text};
+  if (!text.empty() || code == ExitCode::ended_by_user) return {code, printable(text)};
   constexpr Text kReplaced{"Von einer anderen Anmeldung abgelöst.", "Replaced by another login."};
   constexpr Text kExpelled{"Der Lehrer hat die Verbindung beendet.", "The instructor ended the connection."};
   constexpr Text kEnded{"Der Server hat die Verbindung beendet.", "The server ended the connection."};

@@ -59,9 +59,11 @@ struct LoginQuestion {
 /// Gives the credentials for the next attempt, or ends.
 using Asker = std::function<boost::asio::awaitable<std::expected<Credentials, Ending>>(LoginQuestion)>;
 
-/// Attempts and asks until logged in. With `ask_first` the user is asked before the first attempt, too.
-[[nodiscard]] boost::asio::awaitable<std::expected<LoggedIn, Ending>> log_in(Door door, Credentials credentials,
-                                                                             bool ask_first, Asker ask);
+/// Attempts and asks until logged in. With `ask_first` the user is asked before the first attempt,
+/// too, and told of `refusal`.
+[[nodiscard]] boost::asio::awaitable<std::expected<LoggedIn, Ending>> log_in(
+    Door door, Credentials credentials, bool ask_first, Asker ask,
+    std::optional<v1::LoginAnswer> refusal = std::nullopt);
 
 /// The server's sentence, or one of our own where it sent none.
 [[nodiscard]] std::string refusal_text(const v1::LoginAnswer& answer, Language language);

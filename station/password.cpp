@@ -37,12 +37,14 @@ class QuietTerminal {
     [[maybe_unused]] const ssize_t w = ::write(descriptor_, text.data(), text.size());
   }
 
-  [[nodiscard]] std::string line() const {
+  // Nothing when the user ends it (Ctrl-C, Ctrl-D).
+  [[nodiscard]] std::optional<std::string> line() const {
     std::string text;
-    for (char next = 0; ::read(descriptor_, &next, 1) == 1 && next != '\n';) {
+    for (char next = 0;;) {
+      if (::read(descriptor_, &next, 1) != 1) return std::nullopt;
+      if (next == '\n') return text;
       if (text.size() < kLongestPassword) text += next;
     }
-    return text;
   }
 
  private:
@@ -79,9 +81,10 @@ std::expected<std::string, Ending> ask_password(const std::string& prompt) {
         prompt);
   }
   terminal.say(prompt + ": ");
-  std::string password = terminal.line();
+  auto password = terminal.line();
   terminal.say("\n");
-  return password;
+  if (!password) return std::unexpected(Ending{ExitCode::ended_by_user, ""});
+  return std::move(*password);
 }
 
 }  // namespace cnclab::station

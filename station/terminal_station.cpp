@@ -81,13 +81,14 @@ asio::awaitable<std::expected<Credentials, Ending>> fill_in(Desk& desk, LoginQue
   }
 }
 
-asio::awaitable<std::expected<LoggedIn, Ending>> log_in_here(Desk& desk) {
+asio::awaitable<std::expected<LoggedIn, Ending>> log_in_here(Desk& desk, std::optional<v1::LoginAnswer> why) {
   auto credentials = known_credentials(desk);
   if (!credentials) co_return std::unexpected(credentials.error());
   const bool must_ask = credentials->user.empty() || credentials->station == 0 || credentials->password.empty();
   desk.is_form_open = true;
-  auto login = co_await log_in(desk.options.door(), std::move(*credentials), must_ask,
-                               [&desk](LoginQuestion question) { return fill_in(desk, std::move(question)); });
+  auto login = co_await log_in(
+      desk.options.door(), std::move(*credentials), must_ask,
+      [&desk](LoginQuestion question) { return fill_in(desk, std::move(question)); }, std::move(why));
   desk.is_form_open = false;
   if (login && login->has_new_password) desk.has_new_password = true;
   desk.changed.notify();
@@ -95,10 +96,10 @@ asio::awaitable<std::expected<LoggedIn, Ending>> log_in_here(Desk& desk) {
 }
 
 asio::awaitable<Ending> sit(Desk& desk, std::function<void()>& leave) {
-  auto login = co_await log_in_here(desk);
+  auto login = co_await log_in_here(desk, std::nullopt);
   if (!login) co_return login.error();
   Session session(desk.options.door(), std::move(*login), desk.changed,
-                  [&desk](v1::LoginAnswer) { return log_in_here(desk); });
+                  [&desk](v1::LoginAnswer why) { return log_in_here(desk, std::move(why)); });
   leave = [&session] { session.log_out(); };
   Monitor monitor(desk.terminal, desk.events, desk.changed, session);
   auto first = co_await (session.run() || monitor.run(desk.is_form_open));
