@@ -108,7 +108,8 @@ void Follower::seek_hold() noexcept {
       search_.motion = search_.next;
       search_.has_motion = true;
     }
-    if (segment->item.ends_block && can_rest_at(search_)) {
+    const bool is_rest = segment->item.ends_block && !segment->item.passes_single_block;
+    if (is_rest && can_rest_at(search_)) {
       hold_ = {true, search_.next, search_.has_motion ? search_.motion : UINT64_MAX, search_.at_mm};
       return;
     }

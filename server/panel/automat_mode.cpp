@@ -206,7 +206,9 @@ void press(AutomatMode& mode, ControlState& state, Effect effect, int figure) {
 }
 
 void follow(AutomatMode& mode, ControlState& state) {
+  const Run::State before = state.run.state();
   const std::optional<RunEnd> end = state.run.poll();
+  if (state.run.state() != before) state.hint.clear();  // it spoke of what is over now
   if (!end) return;
   state.modal = end->modal;
   state.parameters = end->parameters;

@@ -29,7 +29,7 @@ namespace cnclab::panel {
 
 /// Configuration of one control (interfaces.md [control], decisions.md DEC-08).
 struct Settings {
-  language::Vocabulary vocabulary;
+  language::Vocabulary vocabulary{};
   language::Tongue tongue = language::Tongue::german;
   bool hints = true;                     ///< row 18 says why a key was ignored
   bool start_in_middle_rebuilds = true;  ///< DEC-26
@@ -89,9 +89,9 @@ struct SideView {
   bool on_lab_machine = false;
   int controlling_station = 0;  ///< 0 nobody
   int override_percent = 0;
-  int meldung = 0;        ///< place in the order of raised hands, 0 none
-  std::string halted_by;  ///< who pressed MASCHINE HALT, empty if nobody
-  std::string notice;     ///< e.g. the offer of control; takes row 18 before the control's own sentence
+  int meldung = 0;          ///< place in the order of raised hands, 0 none
+  std::string halted_by{};  ///< who pressed MASCHINE HALT, empty if nobody
+  std::string notice{};     ///< e.g. the offer of control; takes row 18 before the control's own sentence
 };
 
 class Control {
