@@ -1,6 +1,8 @@
 // Laying out the three blocks and the lab's row from the keymap.
 #include "station/keyboard_view.hpp"
 
+#include "shared/screen.hpp"
+
 namespace cnclab::station {
 namespace {
 
@@ -18,8 +20,18 @@ constexpr Area kAreas[] = {
 };
 constexpr int kLabRow = 10, kLabWidth = 10;
 
+/// Cut to the cap's width, with a point where something is missing: "Leertas."
+std::string abbreviated(const std::string& name, int width) {
+  const std::u32string cells = from_utf8(name);
+  const auto room = static_cast<std::size_t>(width);
+  if (cells.size() <= room) return name;
+  std::string cut;
+  for (const char32_t cell : cells.substr(0, room - 1)) cut += to_utf8(cell);
+  return cut + ".";
+}
+
 KeyCap cap_of(const Binding& binding, int row, int column, int width, Language language) {
-  std::string hint = input_name(binding.inputs.front(), language);
+  std::string hint = abbreviated(input_name(binding.inputs.front(), language), width);
   return {&binding, row, column, width, std::string(binding.cap.in(language)), std::move(hint)};
 }
 

@@ -1,9 +1,11 @@
 // Splitting what arrives into lines, with a bound for each.
 #include "station/line_reader.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
+#include <boost/asio/error.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/system/error_code.hpp>
@@ -14,9 +16,11 @@ namespace asio = boost::asio;
 
 LineReader::LineReader(const asio::any_io_executor& executor, int descriptor) : stream_(executor) {
   const int own = ::dup(descriptor);
+  struct stat kind{};
   boost::system::error_code error;
-  stream_.assign(own, error);
-  if (error) file_ = own;  // epoll takes pipes, sockets and terminals, but neither files nor /dev/null
+  // epoll takes pipes, sockets and terminals, but no files; Asio tells so only when it is too late.
+  if (::fstat(own, &kind) != 0 || !S_ISREG(kind.st_mode)) stream_.assign(own, error);
+  if (!stream_.is_open()) file_ = own;
 }
 
 LineReader::~LineReader() {
@@ -30,6 +34,7 @@ asio::awaitable<bool> LineReader::read_more() {
     co_await stream_.async_wait(asio::posix::stream_descriptor::wait_read,
                                 asio::redirect_error(asio::use_awaitable, error));
   }
+  if (error == asio::error::operation_not_supported) error.clear();  // /dev/null: no waiting, no blocking either
   if (error) co_return false;
   std::array<char, kLongestLine> bytes{};
   const ssize_t count = ::read(file_ < 0 ? stream_.native_handle() : file_, bytes.data(), bytes.size());

@@ -1,0 +1,158 @@
+// What the station draws itself: ASCII likenesses (DEC-01), the lost line (SEAT-005), help, login form.
+#include <gtest/gtest.h>
+
+#include "station/cell_text.hpp"
+#include "station/headless.hpp"
+#include "station/login_form.hpp"
+#include "station/overlays.hpp"
+
+namespace cnclab::station {
+namespace {
+
+TEST(CellText, Dec01LikenessesWithoutUnicode) {
+  const std::u32string original = U"┌─┐│└┘□●○↻↺→↓äöüÄÖÜß";
+  const std::u32string likeness = U"+-+|++#*o><>vaouAOUs";
+  ASSERT_EQ(original.size(), likeness.size());
+  for (std::size_t i = 0; i < original.size(); ++i) {
+    EXPECT_EQ(shown_code(original[i], true), likeness[i]) << to_utf8(original[i]);
+    EXPECT_EQ(shown_code(original[i], false), original[i]) << to_utf8(original[i]);
+  }
+}
+
+TEST(CellText, AnyCodePointIsOneHarmlessCell) {
+  for (char32_t code = 0; code < 0x30000; ++code) {
+    const char32_t ascii = shown_code(code, true);
+    ASSERT_TRUE(ascii >= 0x20 && ascii < 0x7F) << static_cast<std::uint32_t>(code);
+    const char32_t shown = shown_code(code, false);
+    ASSERT_TRUE(shown >= 0x20 && (shown < 0x7F || shown >= 0xA0)) << static_cast<std::uint32_t>(code);
+  }
+  for (const char32_t wide_or_combining :
+       {U'\u0301', U'\u200B', U'\u202E', U'漢', U'\uFF21', U'\U0001F600', U'\uFEFF'}) {
+    EXPECT_EQ(shown_code(wide_or_combining, false), U'?');
+  }
+}
+
+TEST(CellText, TextsFromTheServerAreOneLine) { EXPECT_EQ(printable("a\nb\x1B[2Jc\xC2\x9B"), "a b [2Jc "); }
+
+TEST(Overlays, ALostLineShowsSecondsAndNoLivePosition) {  // SEAT-005
+  Screen last;
+  last.write(3, 50, "X  +0085.000", Attribute::bold);
+  const Screen lost = with_lost_line(last, std::chrono::seconds(12), "kein Anschluss", Language::german);
+  EXPECT_TRUE(contains(lost, "VERBINDUNG VERLOREN  12 s"));
+  EXPECT_TRUE(contains(lost, "gilt nicht mehr"));
+  EXPECT_TRUE(contains(lost, "kein Anschluss"));
+  EXPECT_EQ(lost.at(3, 50).attribute, Attribute::dim);
+}
+
+TEST(Overlays, ThePotentiometerIsReadFromTheSideColumn) {
+  struct Row {
+    const char* text;
+    std::optional<int> percent;
+  };
+  const Row rows[] = {{"Poti   80 %", 80}, {"Feed  100 %", 100}, {"Poti    0 %", 0},
+                      {"Poti", {}},        {"Poti  999 %", {}},  {"%", {}}};
+  for (const Row& row : rows) {
+    Screen screen;
+    screen.write(8, 0, "12 %");  // the monitor is not meant
+    screen.write(8, 66, row.text);
+    EXPECT_EQ(shown_potentiometer(screen), row.percent) << row.text;
+  }
+}
+
+TEST(Overlays, TheHelpPageScrollsToItsEnd) {
+  const std::size_t last = last_help_start(Language::german);
+  ASSERT_GT(last, 0U) << "longer than a screen";
+  EXPECT_TRUE(contains(help_screen(0, Language::german), "HAND"));
+  EXPECT_FALSE(contains(help_screen(0, Language::german), "neu zeichnen"));
+  EXPECT_TRUE(contains(help_screen(last, Language::german), "neu zeichnen"));
+  EXPECT_EQ(help_screen(last + 50, Language::german), help_screen(last, Language::german));
+}
+
+LoginQuestion question(std::optional<v1::LoginResult> refusal = {}) {
+  LoginQuestion asked;
+  for (std::uint32_t station = 1; station <= 15; ++station) {
+    v1::Seat* const seat = asked.welcome.add_seats();
+    seat->set_station(station);
+    seat->set_is_free(station == 2 || station == 14);
+  }
+  if (refusal) {
+    asked.refusal.emplace();
+    asked.refusal->set_result(*refusal);
+  }
+  return asked;
+}
+
+LoginForm::State type(LoginForm& form, std::u32string_view text) {
+  auto state = LoginForm::State::editing;
+  for (const char32_t code : text) state = form.handle(code == U'\n' ? Input(Special::enter) : Input(code));
+  return state;
+}
+
+TEST(LoginForm, AsksForSeatNameAndPasswordAndShowsFreeSeats) {  // SEAT-002
+  LoginForm form(question(), false, false, Language::german);
+  EXPECT_TRUE(contains(form.screen(), "Freie Plätze: 2 14"));
+  EXPECT_EQ(type(form, U"14\nJürgen\ngeheim"), LoginForm::State::editing);
+  const Screen screen = form.screen();
+  EXPECT_TRUE(contains(screen, "Jürgen"));
+  EXPECT_FALSE(contains(screen, "geheim")) << "no echo";
+  EXPECT_FALSE(contains(screen, "******")) << "not even its length";
+  EXPECT_EQ(type(form, U"\n"), LoginForm::State::submitted);
+  const Credentials entered = form.credentials();
+  EXPECT_EQ(entered.station, 14U);
+  EXPECT_EQ(entered.user, "Jürgen");
+  EXPECT_EQ(entered.password, "geheim");
+}
+
+TEST(LoginForm, AsksOnlyForWhatTheCommandLineLeavesOpen) {
+  LoginQuestion asked = question();
+  asked.so_far.station = 5;
+  asked.so_far.user = "anna";
+  LoginForm form(asked, true, true, Language::german);
+  EXPECT_EQ(type(form, U"geheim\n"), LoginForm::State::submitted);
+  EXPECT_EQ(form.credentials().user, "anna");
+  EXPECT_EQ(form.credentials().station, 5U);
+}
+
+TEST(LoginForm, WrongEntriesAreExplainedAndKept) {
+  LoginForm form(question(), false, false, Language::german);
+  EXPECT_EQ(type(form, U"16\nanna\ngeheim\n"), LoginForm::State::editing);
+  EXPECT_TRUE(contains(form.screen(), "1 bis 15"));
+  EXPECT_TRUE(contains(form.screen(), "anna"));
+  LoginForm empty(question(), false, false, Language::german);
+  EXPECT_EQ(type(empty, U"2\n\n\n"), LoginForm::State::editing);
+  EXPECT_TRUE(contains(empty.screen(), "Bitte ausfüllen: Name"));
+}
+
+TEST(LoginForm, ARefusalIsShown) {
+  LoginForm form(question(v1::LOGIN_RESULT_REFUSED), false, false, Language::english);
+  EXPECT_TRUE(contains(form.screen(), "Name or password wrong."));
+}
+
+TEST(LoginForm, ANewPasswordIsEnteredTwice) {
+  LoginForm form(question(v1::LOGIN_RESULT_PASSWORD_EXPIRED), true, true, Language::german);
+  EXPECT_EQ(type(form, U"neues-wort\nanderes\n"), LoginForm::State::editing);
+  EXPECT_TRUE(contains(form.screen(), "verschieden"));
+  EXPECT_EQ(type(form, U"neues-wort\nneues-wort\n"), LoginForm::State::submitted);
+  EXPECT_EQ(form.credentials().new_password, "neues-wort");
+}
+
+TEST(LoginForm, ALoginElsewhereIsTakenOverOrLookedAt) {  // SEAT-003
+  LoginForm take(question(v1::LOGIN_RESULT_ELSEWHERE), true, true, Language::german);
+  EXPECT_EQ(type(take, U"1\n"), LoginForm::State::submitted);
+  EXPECT_EQ(take.credentials().elsewhere, v1::ELSEWHERE_TAKE_OVER);
+  LoginForm look(question(v1::LOGIN_RESULT_ELSEWHERE), true, true, Language::german);
+  EXPECT_EQ(type(look, U"32\n"), LoginForm::State::submitted) << "3 is no choice";
+  EXPECT_EQ(look.credentials().elsewhere, v1::ELSEWHERE_LOOK_ON);
+}
+
+TEST(LoginForm, EntriesAreBoundedAndEscapeLeaves) {
+  LoginForm form(question(), true, false, Language::german);
+  type(form, std::u32string(100, U'ä') + U"\n" + std::u32string(1000, U'x') + U"\n");
+  EXPECT_EQ(form.credentials().user.size(), 32U) << "bytes";
+  EXPECT_EQ(form.credentials().password.size(), 256U);
+  EXPECT_EQ(form.handle(Special::escape), LoginForm::State::cancelled);
+  EXPECT_EQ(form.handle(Special::ctrl_c), LoginForm::State::cancelled);
+}
+
+}  // namespace
+}  // namespace cnclab::station
