@@ -126,7 +126,7 @@ class Drawing {
     const auto& machine = model_.status->machine();
     screen_.write(kMachineRow, 11, state_text(machine.state()), attribute, 10);
     screen_.write(kMachineRow, 22,
-                  fmt::format("X{:+010.3f} Y{:+010.3f} Z{:+010.3f}", machine.x(), machine.y(), machine.z()), attribute);
+                  fmt::format("X{:+09.3f} Y{:+09.3f} Z{:+09.3f}", machine.x(), machine.y(), machine.z()), attribute);
     screen_.write(kMachineRow, 58, fmt::format("F{:4.0f} S{:+05.0f}", machine.feed(), machine.spindle()), attribute);
     if (!machine.referenced()) screen_.write(kMachineRow, 71, say({"UNREF.", "UNREF."}), attribute);
   }
@@ -168,10 +168,10 @@ class Drawing {
         {"1 bis 9, ↑ ↓, Maus   Platz wählen", "1 to 9, ↑ ↓, mouse   choose a seat"},
         {"s oder Eingabetaste  Platz die Maschine anbieten; er nimmt mit START an",
          "s or Enter           offer the machine to the seat; it accepts with START"},
-        {"S                    auch während die Maschine fährt: hält erst auf der Rampe an",
+        {"S                    auch während sie fährt: hält erst auf der Rampe an",
          "S                    also while it moves: stops on the ramp first"},
         {"r                    Steuerung zurücknehmen", "r                    take control back"},
-        {"R                    auch während die Maschine fährt", "R                    also while it moves"},
+        {"R                    auch während sie fährt", "R                    also while it moves"},
         {"F12 oder h           MASCHINE HALT: Rampe, Spindel und Kühlmittel aus",
          "F12 or h             MACHINE HALT: ramp, spindle and coolant off"},
         {"c                    Halt aufheben", "c                    clear the halt"},

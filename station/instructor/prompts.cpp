@@ -25,10 +25,10 @@ class Silence {
     if (tcgetattr(terminal_, &before_) != 0) return;
     termios silent = before_;
     silent.c_lflag &= ~static_cast<tcflag_t>(ECHO);
-    is_on_ = tcsetattr(terminal_, TCSAFLUSH, &silent) == 0;
+    is_on_ = tcsetattr(terminal_, TCSADRAIN, &silent) == 0;
   }
   ~Silence() {
-    if (is_on_) tcsetattr(terminal_, TCSAFLUSH, &before_);
+    if (is_on_) tcsetattr(terminal_, TCSADRAIN, &before_);
   }
   Silence(const Silence&) = delete;
   Silence& operator=(const Silence&) = delete;

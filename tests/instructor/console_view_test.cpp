@@ -57,7 +57,7 @@ TEST(ConsoleView, INS_001_every_seat_has_a_line_with_who_what_and_control) {
 
 TEST(ConsoleView, INS_001_machine_and_tick_have_a_line_each) {
   const Screen screen = draw_console(lesson());
-  EXPECT_EQ(trimmed(screen, 18), " Maschine  FÄHRT      X+00085.000 Y-00060.500 Z+00000.000 F1000 S-0500");
+  EXPECT_EQ(trimmed(screen, 18), " Maschine  FÄHRT      X+0085.000 Y-0060.500 Z+0000.000    F1000 S-0500");
   EXPECT_EQ(trimmed(screen, 19), " Takt      verspätet 0, längster 0.25 ms    Freigabe Nr 12");
 }
 

@@ -14,7 +14,6 @@ namespace cnclab::panel {
 namespace {
 
 struct Script {
-  std::filesystem::path file;
   bool redraw = false;
   std::vector<std::string> lines{};
   std::size_t next = 0;
@@ -135,7 +134,8 @@ void compare_picture(Script& script) {
 }  // namespace
 
 std::string run_screen_script(const std::filesystem::path& file, bool redraw) {
-  Script script{.file = file, .redraw = redraw};
+  Script script;
+  script.redraw = redraw;
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);) script.lines.push_back(line);
   while (script.next < script.lines.size()) {

@@ -1,0 +1,135 @@
+// The instructor's console in a real terminal (INS-001, INS-002, SEC-002, SEAT-005).
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "harness/classroom.hpp"
+
+namespace cnclab::harness {
+namespace {
+
+constexpr auto kLimit = 5s;
+constexpr int kHeadings = 1;
+
+class ConsoleInTerminal : public testing::Test {
+ protected:
+  ConsoleInTerminal() { room_.add_student("anna"); }
+
+  Terminal console(const std::string& server, const std::filesystem::path& password_file) {
+    return Terminal({.program = programs_folder() / "cnclab-instructor",
+                     .arguments = {"--server", server, "--user", "lehrer", "--password-file", password_file.string(),
+                                   "--fingerprint", room_.server().fingerprint()},
+                     .environment = {},
+                     .rows = 24,
+                     .columns = 80});
+  }
+  Terminal console() { return console(room_.server().address(), room_.passwords().file_of("lehrer")); }
+  /// Screen row of a seat.
+  static int row_of(int seat) { return kHeadings + seat; }
+
+  Classroom room_;
+};
+
+TEST_F(ConsoleInTerminal, INS_001_shows_who_sits_where_as_they_come_and_work) {
+  Terminal terminal = console();
+  terminal.wait_for("verbunden");
+  EXPECT_THAT(terminal.row(row_of(7)), testing::HasSubstr(" 7"));
+  StationProcess anna = room_.seat(7, "anna");
+  terminal.wait_for("anna");
+  EXPECT_THAT(terminal.row(row_of(7)), testing::HasSubstr("anna"));
+  anna.key("EINGABE");
+  terminal.wait_for("EINGABEMODUS");
+}
+
+TEST_F(ConsoleInTerminal, INS_002_select_halt_clear_and_release_by_keys) {
+  StationProcess anna = room_.seat(7, "anna");
+  Terminal terminal = console();
+  terminal.wait_for("anna");
+  terminal.type("7s");
+  anna.wait_for("START nimmt an");
+  terminal.wait_for("gefragt");
+  anna.key("START");
+  terminal.wait_for("►");
+  EXPECT_THAT(terminal.row(row_of(7)), testing::HasSubstr("►"));
+  terminal.type("h");
+  terminal.wait_for("HALT: lehrer");
+  terminal.type("c");
+  terminal.wait_gone("HALT: lehrer");
+  terminal.type("r");
+  EXPECT_TRUE(eventually(kLimit, [&] { return room_.instructor().status()["selected"] == 0; }));
+}
+
+TEST_F(ConsoleInTerminal, AUTH_006_F12_halts) {
+  Terminal terminal = console();
+  terminal.wait_for("verbunden");
+  terminal.type("\x1b[24~");
+  EXPECT_TRUE(eventually(kLimit, [&] { return room_.instructor().status()["halted_by"] == "lehrer"; }));
+}
+
+TEST_F(ConsoleInTerminal, INS_002_a_click_and_the_arrows_choose_a_seat) {
+  Terminal terminal = console();
+  terminal.wait_for("verbunden");
+  terminal.click(row_of(12), 20);
+  EXPECT_TRUE(eventually(kLimit, [&] {
+    terminal.update();
+    return terminal.is_inverse(row_of(12), 20);
+  }));
+  terminal.type("\x1bOB");
+  EXPECT_TRUE(eventually(kLimit, [&] {
+    terminal.update();
+    return terminal.is_inverse(row_of(13), 20);
+  })) << terminal.text();
+}
+
+TEST_F(ConsoleInTerminal, a_refusal_stands_on_the_message_line) {
+  Terminal terminal = console();
+  terminal.wait_for("verbunden");
+  terminal.type("3s");
+  terminal.wait_for("An Platz 3 ist niemand angemeldet");
+}
+
+TEST_F(ConsoleInTerminal, q_asks_only_while_somebody_has_control) {
+  StationProcess anna = room_.seat(7, "anna");
+  room_.give_machine(7, anna);
+  Terminal terminal = console();
+  terminal.wait_for("►");
+  terminal.type("q");
+  terminal.wait_for("Platz 7 hat die Steuerung");
+  terminal.type("n");
+  terminal.wait_gone("Platz 7 hat die Steuerung");
+  room_.instructor().must({"release"});
+  terminal.wait_gone("►");
+  terminal.type("q");
+  EXPECT_EQ(terminal.wait(kLimit), 0);
+}
+
+TEST_F(ConsoleInTerminal, SEAT_005_a_lost_line_is_shown_and_comes_back_by_itself) {
+  TcpProxy line(room_.server().port());
+  Terminal terminal = console(line.address(), room_.passwords().file_of("lehrer"));
+  terminal.wait_for("verbunden");
+  line.cut();
+  terminal.wait_for("VERBINDUNG VERLOREN");
+  line.mend();
+  terminal.wait_for("verbunden", 10s);
+}
+
+TEST_F(ConsoleInTerminal, SEC_002_a_one_time_password_leads_to_a_dialogue_for_a_new_one) {
+  const OneShot added = room_.instructor().must({"student", "add", "vertretung", "--role", "instructor"});
+  const auto file = room_.passwords().set("vertretung", added.objects.at(0)["password"]);
+  Terminal terminal({.program = programs_folder() / "cnclab-instructor",
+                     .arguments = {"--server", room_.server().address(), "--user", "vertretung", "--password-file",
+                                   file.string(), "--fingerprint", room_.server().fingerprint()},
+                     .environment = {},
+                     .rows = 24,
+                     .columns = 80});
+  terminal.wait_for("Neues Passwort");
+  terminal.type("kurz\r");
+  terminal.wait_for("Noch einmal");
+  terminal.type("anders\r");
+  terminal.wait_for("verschieden");
+  terminal.type("lang genug 1\r");
+  terminal.type("lang genug 1\r");
+  terminal.wait_for("verbunden");
+}
+
+}  // namespace
+}  // namespace cnclab::harness

@@ -1,0 +1,172 @@
+// How the server starts, refuses to start, and ends (interfaces.md section 2, STO-008, AUTH-012).
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+
+#include "harness/classroom.hpp"
+
+namespace cnclab::harness {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr auto kEndLimit = 5s;  // what the server promises
+const std::string kEndlessWay = "P0001\nN001G01X+100000F3000\nN002G01X-100000\nN003G20P0001N001\n";
+
+/// A database in a data folder, after a clean end of its server.
+fs::path database_after_a_lesson(Classroom& room) {
+  room.server().terminate();
+  EXPECT_EQ(room.server().wait(kEndLimit), 0);
+  return room.data() / "cnclab.db";
+}
+
+StartFailure start_again(Classroom& room) {
+  const fs::path log = room.folder().path() / "second.log";
+  auto started = ServerProcess::start({.data = room.data(), .log = log, .port = 0, .configuration = {}, .more = {}});
+  if (started) throw std::runtime_error("the server started");
+  return started.error();
+}
+
+TEST(ServerStart, SEC_002_only_the_first_start_prints_a_one_time_password) {
+  Classroom room;
+  EXPECT_TRUE(room.server().one_time_password());
+  EXPECT_THAT(room.server().fingerprint(), testing::StartsWith("SHA256:"));
+  room.crash_and_restart();
+  EXPECT_FALSE(room.server().one_time_password());
+}
+
+TEST(ServerStart, SEC_001_the_certificate_stays_the_same_over_restarts) {
+  Classroom room;
+  const std::string before = room.server().fingerprint();
+  room.crash_and_restart();
+  EXPECT_EQ(room.server().fingerprint(), before);
+}
+
+TEST(ServerStart, AUTH_012_after_a_start_nobody_has_control_and_the_position_is_unreferenced) {
+  Classroom room;
+  const auto status = room.instructor().status();
+  EXPECT_EQ(status["selected"], 0);
+  EXPECT_EQ(status["offered"], 0);
+  EXPECT_EQ(status["machine"]["state"], "standstill");
+  EXPECT_EQ(status["machine"]["referenced"], false);
+}
+
+TEST(ServerStart, a_port_in_use_is_told_with_the_remedy) {
+  Classroom room;
+  const TemporaryFolder folder;
+  const auto second = ServerProcess::start(
+      {.data = folder.path() / "data", .log = {}, .port = room.server().port(), .configuration = {}, .more = {}});
+  ASSERT_FALSE(second);
+  EXPECT_EQ(second.error().exit_code, 1);
+  EXPECT_THAT(second.error().log, HasSubstr(std::to_string(room.server().port())));
+  EXPECT_THAT(second.error().log, HasSubstr("--listen"));
+  EXPECT_EQ(room.instructor().status()["selected"], 0) << "the first server goes on";
+}
+
+TEST(ServerStart, a_data_folder_that_cannot_be_made_is_told_with_the_remedy) {
+  const TemporaryFolder folder;
+  const auto file = folder.write("file", "not a folder");
+  const auto started = ServerProcess::start(
+      {.data = file / "data", .log = folder.path() / "log", .port = 0, .configuration = {}, .more = {}});
+  ASSERT_FALSE(started);
+  EXPECT_EQ(started.error().exit_code, 1);
+  EXPECT_THAT(started.error().log, HasSubstr((file / "data").string()));
+  EXPECT_THAT(started.error().log, HasSubstr("--data"));
+}
+
+TEST(ServerStart, a_data_folder_that_is_not_writable_is_told_with_the_remedy) {
+  const TemporaryFolder folder;
+  const fs::path data = "/proc/self";  // not even root may write there
+  const auto started =
+      ServerProcess::start({.data = data, .log = folder.path() / "log", .port = 0, .configuration = {}, .more = {}});
+  ASSERT_FALSE(started);
+  EXPECT_EQ(started.error().exit_code, 1);
+  EXPECT_THAT(started.error().log, HasSubstr("/proc/self"));
+  EXPECT_THAT(started.error().log, HasSubstr("--data"));
+}
+
+TEST(ServerStart, STO_008_a_damaged_database_is_refused_and_left_untouched) {
+  Classroom room;
+  const fs::path database = database_after_a_lesson(room);
+  constexpr std::streamoff kFirstPageHeader = 100;
+  {
+    std::fstream stream(database, std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(kFirstPageHeader);
+    stream << std::string(20'000, '\xA5');
+  }
+  const std::string before = read_file(database);
+  const StartFailure failure = start_again(room);
+  EXPECT_EQ(failure.exit_code, 1);
+  EXPECT_THAT(failure.log, HasSubstr(database.string()));
+  EXPECT_THAT(failure.log, HasSubstr("--restore"));
+  EXPECT_EQ(read_file(database), before);
+}
+
+TEST(ServerStart, STO_008_a_file_that_is_no_database_is_refused_and_left_untouched) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder.path() / "data");
+  const auto file = folder.write("data/cnclab.db", std::string(5'000, 'x'));
+  const auto started =
+      ServerProcess::start({.data = folder.path() / "data", .log = {}, .port = 0, .configuration = {}, .more = {}});
+  ASSERT_FALSE(started);
+  EXPECT_EQ(started.error().exit_code, 1);
+  EXPECT_EQ(read_file(file), std::string(5'000, 'x'));
+}
+
+TEST(ServerStart, STO_008_a_database_of_a_newer_version_is_refused_and_left_untouched) {
+  Classroom room;
+  const fs::path database = database_after_a_lesson(room);
+  constexpr std::streamoff kUserVersion = 60;  // big-endian in SQLite's file header: the schema's number
+  {
+    std::fstream stream(database, std::ios::in | std::ios::out | std::ios::binary);
+    stream.seekp(kUserVersion);
+    stream << std::string("\0\0\x03\xE7", 4);
+  }
+  const std::string before = read_file(database);
+  const StartFailure failure = start_again(room);
+  EXPECT_EQ(failure.exit_code, 1);
+  EXPECT_THAT(failure.log, HasSubstr("999"));
+  EXPECT_EQ(read_file(database), before);
+}
+
+TEST(ServerEnd, SIGTERM_ends_an_idle_lab_with_0_within_5_s_and_the_stations_with_10) {
+  Classroom room;
+  room.add_student("anna");
+  StationProcess anna = room.seat(1, "anna");
+  room.server().terminate();
+  EXPECT_EQ(room.server().wait(kEndLimit), 0);
+  EXPECT_EQ(anna.wait(kEndLimit), 10);
+}
+
+TEST(ServerEnd, SIGINT_is_a_clean_end_too) {
+  Classroom room;
+  kill(room.server().pid(), SIGINT);
+  EXPECT_EQ(room.server().wait(kEndLimit), 0);
+}
+
+TEST(ServerEnd, SIGTERM_stops_a_moving_machine_and_ends_with_0_within_5_s) {
+  Classroom room;
+  room.add_student("anna", {kEndlessWay});
+  StationProcess anna = room.seat(1, "anna");
+  room.give_machine(1, anna);
+  anna.key("AUTOMAT ENTER ENTER START");
+  ASSERT_TRUE(eventually(5s, [&] { return room.instructor().status()["machine"]["x"] > 1; }));
+  room.server().terminate();
+  EXPECT_EQ(room.server().wait(kEndLimit), 0);
+}
+
+TEST(ServerEnd, STO_002_what_was_acknowledged_before_SIGTERM_is_there_afterwards) {
+  Classroom room;
+  room.add_student("anna", {"P0007\nN001G00X+1000\n"});
+  room.server().terminate();
+  ASSERT_EQ(room.server().wait(kEndLimit), 0);
+  room.crash_and_restart();
+  EXPECT_EQ(room.instructor().must({"program", "show", "anna", "P0007"}).output, "P0007\nN001G00X+1000\n%\n");
+}
+
+}  // namespace
+}  // namespace cnclab::harness
