@@ -8,6 +8,7 @@
 #include <mutex>
 
 #include "cnclab/v1/envelope.pb.h"
+#include "language/tape.hpp"
 #include "shared/frame.hpp"
 
 namespace cnclab::lab {
@@ -252,6 +253,43 @@ TEST_F(LabTest, KeysAreAcknowledgedInTheNextScreen) {
     lab_->poll();
   }
   EXPECT_EQ(handled, 1U);
+}
+
+// The wall clock of these tests stands still, so nothing but the end itself can bring the last screen.
+TEST_F(LabTest, AUTH_008_TheEndOfARunShowsAtOnceWithItsStateNumber) {
+  bool stored = false;
+  store_->run(
+      [](db::Database& database) {
+        const std::string block = "N001G04H0001";
+        const db::StoredBlock dwell{1, block, language::check_code(1, block)};
+        database.put_block(database.person("eva")->id, 1, dwell, {.name = "eva", .station = 7, .time_ms = 1});
+      },
+      [&stored](const std::expected<void, db::StoreError>&) { stored = true; });
+  settle_until([&] { return stored; });
+  Caller eva = call();
+  log_in(eva, "eva", 7);
+  std::uint64_t handled = 0;
+  std::vector<std::uint64_t> states;  // of the screens since START was handled
+  const auto look = [&] {
+    lab_->poll();
+    for (; !eva.peer->sent.empty(); eva.peer->sent.pop_front()) {
+      if (!eva.peer->sent.front().has_screen()) continue;
+      const v1::ScreenUpdate screen = eva.peer->sent.front().screen();
+      handled = screen.handled_key();
+      if (handled == 4 && (states.empty() || states.back() != screen.state())) states.push_back(screen.state());
+      v1::ClientMessage ack;
+      ack.mutable_screen_ack()->set_number(screen.number());
+      lab_->receive(eva.visit, ack);
+    }
+  };
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  std::uint64_t number = 0;
+  for (const Key key : {Key::AUTOMAT, Key::ENTER, Key::ENTER, Key::START}) {
+    press(eva, key, ++number);
+    while (handled != number && std::chrono::steady_clock::now() < limit) look();
+  }
+  while (states.size() < 2 && std::chrono::steady_clock::now() < limit) look();
+  EXPECT_GE(states.size(), 2U) << "after the dwell of 0.1 s no screen told that the run is over";
 }
 
 }  // namespace

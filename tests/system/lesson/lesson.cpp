@@ -172,8 +172,8 @@ void Lesson::train_together() {
 }
 
 void Lesson::draw_pictures() {
-  at_all_seats([&](Seat& seat) {
-    const Part& part = seat.part();
+  for (const auto& seat : seats_) {
+    const Part& part = seat->part();
     const auto tape = file("tapes", part, ".txt");
     std::ofstream text(tape);
     for (const WrittenProgram& program : part.programs) {
@@ -181,7 +181,7 @@ void Lesson::draw_pictures() {
     }
     text.close();
     draw_picture(tape, file("pictures", part, ".svg"), part.view);
-  });
+  }
   say("tapes and pictures of all parts are in " + out_.string());
 }
 

@@ -54,6 +54,7 @@ class Lesson {
 
   void crash_while_storing();
   void find_every_block();
+  void find_blocks_of(const Seat& seat) const;
   void draw_pictures();
   void close_lab();
 

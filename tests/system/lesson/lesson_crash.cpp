@@ -74,33 +74,34 @@ void Lesson::crash_while_storing() {
   }
 }
 
+void Lesson::find_blocks_of(const Seat& seat) const {
+  const Part& part = seat.part();
+  std::set<std::string> expected{fmt::format("P{:04}", kStormProgram)};
+  for (const WrittenProgram& program : part.programs) {
+    expected.insert(fmt::format("P{:04}", program.number));
+    const std::string stored = stored_tape(*instructor_, part.student, program.number);
+    if (stored != tape_text(program)) {
+      throw harness::Failure(seat.name() + ": keyed in was " + tape_text(program) + ", after the crash there is " +
+                             stored);
+    }
+  }
+  std::set<std::string> found;
+  for (const auto& program : instructor_->must({"programs", part.student}).objects) found.insert(program.at("program"));
+  if (found != expected) {
+    throw harness::Failure(fmt::format("{}: {} programs after the crash instead of {} of their own", seat.name(),
+                                       found.size(), expected.size()));
+  }
+  // One more block than acknowledged may be there: committed, but the answer died with the server.
+  const int acknowledged = stored_in_storm_[static_cast<std::size_t>(seat.station() - 1)];
+  const std::string stored = stored_tape(*instructor_, part.student, kStormProgram);
+  if (stored != storm_tape(acknowledged) && stored != storm_tape(acknowledged + 1)) {
+    throw harness::Failure(
+        fmt::format("{}: {} blocks were acknowledged, after the crash there is {}", seat.name(), acknowledged, stored));
+  }
+}
+
 void Lesson::find_every_block() {
-  at_all_seats([&](Seat& seat) {
-    const Part& part = seat.part();
-    std::set<std::string> expected{fmt::format("P{:04}", kStormProgram)};
-    for (const WrittenProgram& program : part.programs) {
-      expected.insert(fmt::format("P{:04}", program.number));
-      const std::string stored = stored_tape(*instructor_, part.student, program.number);
-      if (stored != tape_text(program)) {
-        throw harness::Failure(seat.name() + ": keyed in was " + tape_text(program) + ", after the crash there is " +
-                               stored);
-      }
-    }
-    std::set<std::string> found;
-    for (const auto& program : instructor_->must({"programs", part.student}).objects)
-      found.insert(program.at("program"));
-    if (found != expected) {
-      throw harness::Failure(fmt::format("{}: {} programs after the crash instead of {} of their own", seat.name(),
-                                         found.size(), expected.size()));
-    }
-    // One more block than acknowledged may be there: committed, but the answer died with the server.
-    const int acknowledged = stored_in_storm_[static_cast<std::size_t>(seat.station() - 1)];
-    const std::string stored = stored_tape(*instructor_, part.student, kStormProgram);
-    if (stored != storm_tape(acknowledged) && stored != storm_tape(acknowledged + 1)) {
-      throw harness::Failure(fmt::format("{}: {} blocks were acknowledged, after the crash there is {}", seat.name(),
-                                         acknowledged, stored));
-    }
-  });
+  for (const auto& seat : seats_) find_blocks_of(*seat);
   say(fmt::format("after the restart all {} acknowledged blocks are there, each student's own", acknowledged_));
 }
 
