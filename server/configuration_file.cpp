@@ -113,16 +113,17 @@ ConfigKey tongue_key() {
 }
 
 ConfigKey model_key() {
-  return {"control", "model", "3300 or 3250",
-          [](const toml::node& node, Configuration& to) -> std::string {
-            const auto text = node.value<std::string>();  // also written as a number
-            if (text != "3300" && text != "3250" && node.value<int>() != 3300 && node.value<int>() != 3250)
-              return "\"3300\" or \"3250\"";
-            const bool small = text == "3250" || node.value<int>() == 3250;
-            to.model = small ? language::Model::cnc3250 : language::Model::cnc3300;
-            return {};
-          },
-          [](const Configuration& from) { return in_quotes(from.model == language::Model::cnc3300 ? "3300" : "3250"); }};
+  return {
+      "control", "model", "3300 or 3250",
+      [](const toml::node& node, Configuration& to) -> std::string {
+        const auto text = node.value<std::string>();  // also written as a number
+        if (text != "3300" && text != "3250" && node.value<int>() != 3300 && node.value<int>() != 3250)
+          return "\"3300\" or \"3250\"";
+        const bool small = text == "3250" || node.value<int>() == 3250;
+        to.model = small ? language::Model::cnc3250 : language::Model::cnc3300;
+        return {};
+      },
+      [](const Configuration& from) { return in_quotes(from.model == language::Model::cnc3300 ? "3300" : "3250"); }};
 }
 
 ConfigKey size_key() {

@@ -8,6 +8,7 @@
 #include <charconv>
 #include <chrono>
 
+#include "db/backup.hpp"
 #include "lab/passwords.hpp"
 #include "lab/stored_control.hpp"
 
@@ -115,26 +116,10 @@ std::expected<std::string, std::string> renew_instructor_password(const fs::path
 
 std::expected<std::string, std::string> restore_backup(const fs::path& folder, const fs::path& backup) {
   if (const auto locked = lock_folder(folder); !locked) return std::unexpected(locked.error());
-  std::error_code error;
-  const fs::path incoming = folder / "restore.db";
-  fs::copy_file(backup, incoming, fs::copy_options::overwrite_existing, error);
-  if (error) return std::unexpected("cannot copy " + backup.string() + ": " + error.message());
-  if (auto opened = db::Database::open(incoming); !opened) {
-    const std::string reason = opened.error().text;
-    fs::remove(incoming, error);
-    return std::unexpected("the backup is not usable: " + reason);
-  }
-  const fs::path target = folder / kDatabase;
-  const std::string stamp = std::to_string(unix_ms() / 1000);
-  for (const char* tail : {"", "-wal", "-shm"}) {
-    const fs::path old = target.string() + tail;
-    if (fs::exists(old)) fs::rename(old, folder / ("replaced-" + stamp + ".db" + tail), error);
-    if (error) return std::unexpected("cannot keep " + old.string() + " aside: " + error.message());
-    fs::remove(incoming.string() + (*tail == '\0' ? ".none" : tail), error);
-  }
-  fs::rename(incoming, target, error);
-  if (error) return std::unexpected("cannot put the backup in place: " + error.message());
-  return "restored " + backup.string() + "; the former database is kept as replaced-" + stamp + ".db";
+  const auto former = db::restore_database(backup, folder / kDatabase);
+  if (!former) return std::unexpected(former.error().text);
+  if (former->empty()) return "restored " + backup.string();
+  return "restored " + backup.string() + "; the former database is kept as " + former->string();
 }
 
 }  // namespace cnclab

@@ -74,11 +74,12 @@ void stop_when_at_rest(asio::io_context& loop, net::Server& server, lab::Lab& la
 int serve(const lab::Configuration& configuration) {
   auto folder = open_data_folder(configuration.data);
   if (!folder) return fail(folder.error());
+  // Before anything else can fail: it is shown this one time only.
+  if (folder->first_password)
+    std::cout << "instructor lehrer one-time-password " << *folder->first_password << std::endl;
   asio::io_context loop(1);
   auto server = net::Server::listen(loop, configuration.listen, folder->certificate);
   if (!server) return fail(server.error());
-  if (folder->first_password)
-    std::cout << "instructor lehrer one-time-password " << *folder->first_password << std::endl;
   const auto fingerprint = fingerprint_of(folder->certificate.certificate_pem);
   if (!fingerprint) return fail(fingerprint.error());
 

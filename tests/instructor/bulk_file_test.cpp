@@ -2,6 +2,7 @@
 #include "instructor/bulk_file.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -32,7 +33,7 @@ class BulkFileTest : public testing::Test {
     fs::remove(target_);
     fs::remove(part_);
   }
-  fs::path target_ = fs::path(testing::TempDir()) / "cnclab-bulk";
+  fs::path target_ = fs::path(testing::TempDir()) / ("cnclab-bulk-" + std::to_string(::getpid()));
   fs::path part_ = target_.string() + ".part";
 };
 

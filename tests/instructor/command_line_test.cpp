@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -21,7 +22,8 @@ void PrintTo(const Row& row, std::ostream* out) { *out << row.name; }
 
 /// Two files that commands read; their paths are the same in every run of one test program.
 std::string file_with(const std::string& name, const std::string& content) {
-  const auto path = std::filesystem::path(testing::TempDir()) / ("cnclab-instructor-" + name);
+  const auto path =
+      std::filesystem::path(testing::TempDir()) / ("cnclab-instructor-" + std::to_string(::getpid()) + "-" + name);
   std::ofstream(path, std::ios::binary) << content;
   return path.string();
 }

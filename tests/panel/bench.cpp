@@ -33,8 +33,11 @@ Memory memory_of(const std::string& tape, int memory_bytes) {
 Bench::Bench(const Setup& setup)
     : machine(setup.data),
       channel(std::make_shared<machine::Channel>(machine, setup.data)),
-      control(setup.settings, memory_of(setup.tape, setup.settings.memory_bytes), setup.data),
-      side{.station = 7, .user = "schueler07", .on_lab_machine = setup.is_lab_machine, .controlling_station = 3} {
+      control(setup.settings, memory_of(setup.tape, setup.settings.memory_bytes), setup.data) {
+  side.station = 7;
+  side.user = "schueler07";
+  side.on_lab_machine = setup.is_lab_machine;
+  side.controlling_station = 3;
   constexpr machine::Epoch kEpoch{1};
   channel->grant(kEpoch, machine::kNeverExpires);
   control.connect({channel, kEpoch, setup.is_lab_machine, setup.lab_data});

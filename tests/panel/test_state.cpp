@@ -155,7 +155,10 @@ class Storm : public testing::TestWithParam<unsigned> {};
 
 TEST_P(Storm, NeverStoresWithoutEingabeNeverBelowZeroNeverThrows) {
   std::mt19937 random(GetParam());
-  Bench bench({.settings = {.memory_bytes = 400}, .tape = std::string(kBild7)});
+  Bench::Setup setup;
+  setup.settings.memory_bytes = 400;
+  setup.tape = kBild7;
+  Bench bench(setup);
   constexpr int kKeysPressed = 4000;
   for (int i = 0; i < kKeysPressed; ++i) {
     const Key key = random_key(random);
