@@ -61,7 +61,7 @@ std::optional<std::int64_t> parse_since(const std::string& text) {
 v1::InstructorItem datum_item(int number, std::int64_t value) {
   v1::InstructorItem item;
   item.mutable_machine_datum()->set_number(static_cast<std::uint32_t>(number));
-  item.mutable_machine_datum()->set_value(value);
+  item.mutable_machine_datum()->set_value(static_cast<std::int32_t>(value));
   return item;
 }
 
@@ -189,7 +189,7 @@ void Console::runs(const Reply& reply, const v1::StudentName& request) const {
         for (const auto& run : runs) {
           v1::InstructorItem item;
           auto& info = *item.mutable_run();
-          info.set_id(static_cast<std::uint64_t>(run.id));
+          info.set_id(static_cast<std::uint32_t>(run.id));
           info.set_started(iso_time(run.started_ms));
           info.set_machine(run.machine);
           info.set_program(fmt::format("P{:04}", run.program));

@@ -141,8 +141,8 @@ void Console::program_send(const Reply& reply, const v1::ProgramSend& request) c
       std::make_shared<const language::Tape>(language::read_tape(request.tape(), language::Reading::file));
   if (!tape->errors.empty()) {
     const auto& error = tape->errors.front();
-    return send_error(
-        reply, fmt::format("{}: {}: {}", error.line, language::place_of(error), language::message_of(error, reply.tongue)));
+    return send_error(reply, fmt::format("{}: {}: {}", error.line, language::place_of(error),
+                                         language::message_of(error, reply.tongue)));
   }
   if (tape->programs.empty())
     return send_error(reply,

@@ -53,6 +53,7 @@ struct Desk {
   std::weak_ptr<Visit> visit;  ///< the connection that types; empty while the line is broken
   std::string ticket;
   std::int64_t keep_until_ns = 0;  ///< while the line is broken
+  std::int64_t made_ns = 0;        ///< power on of this control (DEC-64)
   panel::Control control;
   bool on_lab_machine = false;
 

@@ -120,14 +120,13 @@ void Lab::poll() {
   const std::int64_t now_ns = clock_.monotonic_ns();
   send_beats(now_ns);
   static_cast<void>(decide(Polled{}, configuration_.tongue));
-  const panel::Now time = now();
   const std::vector<DeskPtr> desks = [this] {
     std::vector<DeskPtr> all;
     for (const auto& [id, desk] : desks_) all.push_back(desk);
     return all;
   }();
   for (const DeskPtr& desk : desks) {
-    desk->control.poll(time);
+    desk->control.poll(now(*desk));
     if (!desk->is_seated() && now_ns >= desk->keep_until_ns) dismiss(desk);
     if (now_ns - desk->last_saved_ns >= 10 * kSecond_ns) save_state(desk);
   }
@@ -135,6 +134,7 @@ void Lab::poll() {
   draw_due(now_ns);
   watch_connections(now_ns);
   if (now_ns - journal_flushed_ns_ >= kSecond_ns / 5) flush_journal();
+  keep_house(now_ns);
 }
 
 void Lab::watch_connections(std::int64_t now_ns) {
@@ -188,6 +188,24 @@ void Lab::flush_journal() {
                if (!result) spdlog::error("journal: {}", result.error().text);
              });
   journal_.clear();
+}
+
+void Lab::keep_house(std::int64_t now_ns) {
+  constexpr std::int64_t kHour_ns = 3600 * kSecond_ns;
+  constexpr std::int64_t kDay_ms = 86'400'000;
+  if (house_kept_ns_ != 0 && now_ns - house_kept_ns_ < kHour_ns) return;
+  house_kept_ns_ = now_ns;
+  const std::int64_t oldest_entry_ms = clock_.unix_ms() - configuration_.journal_days * kDay_ms;
+  const std::int64_t oldest_archive_ms = clock_.unix_ms() - configuration_.undo_days * kDay_ms;
+  store_.run(
+      [oldest_entry_ms, oldest_archive_ms](db::Database& database) {
+        database.forget_journal_before(oldest_entry_ms);
+        for (const db::Person& person : database.people(true))
+          if (person.archived_ms && *person.archived_ms < oldest_archive_ms) database.erase(person.id);
+      },
+      [](const std::expected<void, db::StoreError>& result) {
+        if (!result) spdlog::error("housekeeping: {}", result.error().text);
+      });
 }
 
 std::string Lab::say(language::Tongue tongue, const char* german, const char* english) const {

@@ -77,6 +77,8 @@ class Lab {
   void send_beats(std::int64_t now_ns);
   void write_journal(std::string kind, std::string detail, int station = 0, std::string person = {}, Epoch lease = {});
   void flush_journal();
+  /// Forgets what is older than the configuration keeps it: journal, people long off the roster.
+  void keep_house(std::int64_t now_ns);
   [[nodiscard]] std::string say(language::Tongue tongue, const char* german, const char* english) const;
   [[nodiscard]] language::Tongue tongue_of(const db::Person& person) const;
 
@@ -129,7 +131,8 @@ class Lab {
   void push(const VisitPtr& visit);
   void everybody_changed();
   [[nodiscard]] panel::SideView side_view(const Desk& desk, std::int64_t now_ns) const;
-  [[nodiscard]] panel::Now now() const;
+  /// The clocks as this control has them (DEC-10).
+  [[nodiscard]] panel::Now now(const Desk& desk) const;
   void note_situation(Desk& desk);
 
   Configuration configuration_;
@@ -153,6 +156,7 @@ class Lab {
   std::uint64_t logins_ = 0;
   std::vector<db::JournalEntry> journal_;
   std::int64_t journal_flushed_ns_ = 0;
+  std::int64_t house_kept_ns_ = 0;  ///< 0: not yet
   std::int64_t screens_changed_ns_ = 0;
   int drawn_second_ = -1;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< late answers of other threads find it gone

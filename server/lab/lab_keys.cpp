@@ -80,7 +80,7 @@ bool Lab::take_urgent(const DeskPtr& desk, const Input& input) {
   if (!input.pressed || input.keys.size() != 1) return false;
   if (input.keys.front() == Key::STOP) {
     static_cast<void>(decide(Decline{desk->login}, tongue_of(desk->person)));
-    outcome(desk, desk->control.press(Key::STOP, now()), input.number);
+    outcome(desk, desk->control.press(Key::STOP, now(*desk)), input.number);
     return true;
   }
   if (input.keys.front() == Key::MASCHINE_HALT) {
@@ -114,11 +114,11 @@ void Lab::act(const DeskPtr& desk, const Input& input) {
   }
   if (!input.pressed) {
     if (contains(input, Key::START)) desk->ignore_start_until_release = false;
-    for (const Key key : input.keys) desk->control.release(key, now());
+    for (const Key key : input.keys) desk->control.release(key, now(*desk));
     return;
   }
   if (desk->notice_until_ns != 0) note(*desk, "");
-  if (input.keys.size() > 1) return outcome(desk, desk->control.press_chord(input.keys, now()), input.number);
+  if (input.keys.size() > 1) return outcome(desk, desk->control.press_chord(input.keys, now(*desk)), input.number);
   const Key key = input.keys.front();
   if (key == Key::LABOR || desk->labor_open) return labor_key(desk, key);
   if (key == Key::MELDUNG) {
@@ -130,7 +130,7 @@ void Lab::act(const DeskPtr& desk, const Input& input) {
     return everybody_changed();
   }
   if (is_start_command(input)) return start_pressed(desk, input);
-  outcome(desk, desk->control.press(key, now()), input.number);
+  outcome(desk, desk->control.press(key, now(*desk)), input.number);
 }
 
 void Lab::start_pressed(const DeskPtr& desk, const Input& input) {
@@ -151,7 +151,7 @@ void Lab::start_pressed(const DeskPtr& desk, const Input& input) {
     return note(*desk, say(tongue_of(desk->person), "START kam zu spät und gilt nicht: bitte noch einmal drücken.",
                            "START came too late and does not count: please press it again."));
   }
-  outcome(desk, desk->control.press(input.keys.front(), now()), input.number);
+  outcome(desk, desk->control.press(input.keys.front(), now(*desk)), input.number);
 }
 
 bool Lab::is_fresh(const Desk& desk, const Input& input) const {

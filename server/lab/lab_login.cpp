@@ -147,6 +147,7 @@ void Lab::change_password(const VisitPtr& visit, const v1::ChangePassword& chang
 }
 
 void Lab::admit(const VisitPtr& visit) {
+  visit->heard_ns = clock_.monotonic_ns();  // while its password was compared it had nothing to say
   const bool instructor = visit->person.role == "instructor";
   const bool may_observe = instructor || visit->person.role == "observer";
   const auto not_allowed = [&] {
@@ -236,6 +237,7 @@ void Lab::load_desk(const VisitPtr& visit) {
                                                         memory_of(stored->programs, configuration_.memory_bytes),
                                                         machine_data_of(stored->machine_data), ticks_);
                if (!stored->state.empty()) desk->control.restore_state(stored->state);
+               desk->made_ns = clock_.monotonic_ns();
                desk->saved_state = stored->state;
                desks_[person.id] = desk;
                admit_station(visit);
@@ -268,6 +270,7 @@ void Lab::resume(const VisitPtr& visit, const v1::Resume& resume) {
 
 void Lab::sit_down(const VisitPtr& visit, const DeskPtr& desk, int station) {
   visit->stage = Stage::at_desk;
+  visit->heard_ns = clock_.monotonic_ns();  // while its password was compared it had nothing to say
   visit->desk = desk;
   visit->feed = ScreenFeed{};
   desk->visit = visit;

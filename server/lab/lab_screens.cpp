@@ -30,7 +30,7 @@ void Lab::draw(const DeskPtr& desk, std::int64_t now_ns) {
   desk->is_dirty = false;
   desk->last_drawn_ns = now_ns;
   note_situation(*desk);
-  View view{desk->control.draw(now(), side_view(*desk, now_ns)), desk->handled(), desk->state,
+  View view{desk->control.draw(now(*desk), side_view(*desk, now_ns)), desk->handled(), desk->state,
             desk->control.alarm_tone()};
   if (desk->labor_open) draw_labor_menu(view.screen, tongue_of(desk->person));
   const int beeps = desk->control.take_beeps();
@@ -75,7 +75,13 @@ panel::SideView Lab::side_view(const Desk& desk, std::int64_t now_ns) const {
   return side;
 }
 
-panel::Now Lab::now() const { return {clock_.monotonic_ns(), wall_clock(clock_.unix_ms())}; }
+panel::Now Lab::now(const Desk& desk) const {
+  const std::int64_t now_ns = clock_.monotonic_ns();
+  if (configuration_.clock == "host") return {now_ns, wall_clock(clock_.unix_ms())};
+  // As after switching on: 00:00:00 with date 00/00/00, which never changes until it is set (D-33).
+  const auto seconds = static_cast<int>((now_ns - desk.made_ns) / 1'000'000'000 % 86'400);
+  return {now_ns, {seconds / 3600, seconds / 60 % 60, seconds % 60, 0, 0, 0}};
+}
 
 void Lab::note_situation(Desk& desk) {
   const panel::Situation situation = desk.control.situation();

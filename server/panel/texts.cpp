@@ -117,8 +117,6 @@ constexpr std::array<TextRow, kTexts> kTable{{
      "Word {} lacks its parameter number 00 to 69."},
     {Text::said_code_missing, "Die Funktion fehlt: zwei Ziffern tippen, dann → für ihre Wörter.",
      "The function is missing: type two figures, then → for its words."},
-    {Text::said_program_number, "Programmnummern gehen von P0000 bis P9999.",
-     "Program numbers go from P0000 to P9999."},
     {Text::said_block_number, "Satznummern gehen von N001 bis N999.", "Block numbers go from N001 to N999."},
     {Text::said_number_missing, "Es fehlt eine Nummer: Ziffern tippen, dann →.",
      "A number is missing: type figures, then →."},

@@ -101,7 +101,6 @@ enum class Text : std::uint8_t {
   said_overflow_n999,
   said_parameter_unfinished,
   said_code_missing,
-  said_program_number,
   said_block_number,
   said_number_missing,
   said_connected,

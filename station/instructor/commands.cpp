@@ -138,7 +138,7 @@ void add_machine(Table& table) {
     for (const auto& pair : *data) {
       auto* datum = change->add_data();
       datum->set_number(static_cast<std::uint32_t>(std::stoul(pair)));
-      datum->set_value(std::stoll(pair.substr(pair.find('=') + 1)));
+      datum->set_value(std::stoi(pair.substr(pair.find('=') + 1)));
     }
   });
   machine_data.add_option("data", *data, "e.g. 06=3000")->check(machine_datum());
@@ -329,7 +329,7 @@ void add_records(Table& table) {
       table.add("runs", "a student's recorded runs", [=](Command& c) { c.request.mutable_runs()->set_name(*runner); });
   needed(runs, "name", runner, "student");
   Table run = table.group("run", "looks at a recorded run");
-  const auto traced = value<std::uint64_t>();
+  const auto traced = value<std::uint32_t>();
   const auto file = value<std::string>();
   auto& trace = run.add("trace", "writes the path of a run as CSV, one row per tick", [=](Command& c) {
     c.request.mutable_run_trace()->set_run(*traced);
@@ -337,7 +337,7 @@ void add_records(Table& table) {
   });
   needed(trace, "id", traced, "number of the run, see runs");
   needed(trace, "file", file, "CSV to write");
-  const auto replayed = value<std::uint64_t>();
+  const auto replayed = value<std::uint32_t>();
   auto& replay = run.add("replay", "runs it again and compares",
                          [=](Command& c) { c.request.mutable_run_replay()->set_run(*replayed); });
   needed(replay, "id", replayed, "number of the run, see runs");
