@@ -22,11 +22,17 @@ struct Desk {
   Broadcast& changed;
   bool is_form_open = false;
   bool has_new_password = false;  // the file of the new password holds from now on
+  std::string last_user = {};     // proposed when the form comes back
+  std::uint32_t last_seat = 0;
 };
 
 std::expected<Credentials, Ending> known_credentials(const Desk& desk) {
   const Options& options = desk.options;
-  Credentials credentials{options.user, {}, options.seat(), options.elsewhere, std::nullopt};
+  Credentials credentials{options.user.empty() ? desk.last_user : options.user,
+                          {},
+                          options.seat() == 0 ? desk.last_seat : options.seat(),
+                          options.elsewhere,
+                          std::nullopt};
   if (options.new_password_file) {
     auto fresh = read_password(*options.new_password_file);
     if (!fresh) return std::unexpected(fresh.error());
@@ -90,7 +96,11 @@ asio::awaitable<std::expected<LoggedIn, Ending>> log_in_here(Desk& desk, std::op
       desk.options.door(), std::move(*credentials), must_ask,
       [&desk](LoginQuestion question) { return fill_in(desk, std::move(question)); }, std::move(why));
   desk.is_form_open = false;
-  if (login && login->has_new_password) desk.has_new_password = true;
+  if (login) {
+    desk.has_new_password = desk.has_new_password || login->has_new_password;
+    desk.last_user = login->answer.user();
+    desk.last_seat = login->answer.station();
+  }
   desk.changed.notify();
   co_return login;
 }
