@@ -70,7 +70,9 @@ Ending run(const Options& options) {
 int station_main(int count, char** arguments) {
   const auto options = parse_options(count, arguments);
   const auto ending = options ? run(*options) : options.error();
-  std::FILE* const to = ending.code == ExitCode::ended_by_user ? stdout : stderr;
+  // Headless, stdout carries replies and nothing else.
+  const bool is_plain_end = ending.code == ExitCode::ended_by_user && !(options && options->is_headless);
+  std::FILE* const to = is_plain_end ? stdout : stderr;
   if (!ending.text.empty()) std::fprintf(to, "%s\n", ending.text.c_str());
   return static_cast<int>(ending.code);
 }

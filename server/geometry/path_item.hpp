@@ -89,11 +89,11 @@ struct Reference {
 };
 struct Halt {
   bool signal = false;
-};                 ///< M00, M01 (with signal)
+};  ///< M00, M01 (with signal)
 struct Signal {};  ///< M15
 struct SpindleDigits {
   int rpm = 0;
-};               ///< S on I/O card 3 (FST-004)
+};  ///< S on I/O card 3 (FST-004)
 struct End {};   ///< M02 or end of the main program
 struct Mark {};  ///< a block without effect on the machine
 

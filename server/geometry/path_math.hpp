@@ -7,9 +7,9 @@ namespace cnclab::geometry {
 
 /// The two axes of a plane in the order in which a turn from the first to the second is counterclockwise (D-128).
 struct PlaneAxes {
-  double Point::*first;
-  double Point::*second;
-  double Point::*normal;
+  double Point::* first;
+  double Point::* second;
+  double Point::* normal;
 };
 
 [[nodiscard]] const PlaneAxes& axes_of(Plane plane);

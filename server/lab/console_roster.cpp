@@ -39,7 +39,7 @@ struct RosterLine {
 
 void Console::with_hash(const Reply& reply, const std::string& password, std::function<void(std::string)> then) const {
   if (password.size() < kShortestPassword || password.size() > kLongestPassword)
-    return send_error(reply, lab_.say(reply.tongue, "Das Kennwort muss 8 bis 256 Zeichen haben.",
+    return send_error(reply, lab_.say(reply.tongue, "Das Passwort muss 8 bis 256 Zeichen haben.",
                                       "The password must have 8 to 256 characters."));
   lab_.passwords_.hash(password, [alive = lab_.alive_, reply, then = std::move(then)](const std::string& hash) {
     if (*alive && reply.visit->stage == Stage::at_console) then(hash);

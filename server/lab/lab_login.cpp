@@ -78,7 +78,7 @@ void Lab::log_in(const VisitPtr& visit, const v1::Login& login) {
   const int wait = guard_.wait_seconds(login.user(), visit->peer->address(), clock_.monotonic_ns());
   if (wait > 0) {
     auto message = answer_with(v1::LOGIN_RESULT_WAIT,
-                               say(configuration_.tongue, "Zu viele falsche Kennwörter: bitte warten, Sekunden: ",
+                               say(configuration_.tongue, "Zu viele falsche Passwörter: bitte warten, Sekunden: ",
                                    "Too many wrong passwords: please wait, seconds: ") +
                                    std::to_string(wait));
     message.mutable_login()->set_wait_seconds(static_cast<std::uint32_t>(wait));
@@ -108,14 +108,14 @@ void Lab::password_checked(const VisitPtr& visit, const std::optional<db::Person
     write_journal("login_refused", visit->peer->address(), static_cast<int>(visit->login.station()),
                   visit->login.user());
     return refuse(visit, v1::LOGIN_RESULT_REFUSED,
-                  say(configuration_.tongue, "Name oder Kennwort ist falsch.", "Name or password is wrong."));
+                  say(configuration_.tongue, "Name oder Passwort ist falsch.", "Name or password is wrong."));
   }
   guard_.succeeded(visit->login.user(), visit->peer->address());
   visit->person = *person;
   if (person->must_change) {
     visit->stage = Stage::new_password;
     visit->peer->send(answer_with(v1::LOGIN_RESULT_PASSWORD_EXPIRED,
-                                  say(tongue_of(*person), "Bitte ein neues Kennwort wählen (mindestens 8 Zeichen).",
+                                  say(tongue_of(*person), "Bitte ein neues Passwort wählen (mindestens 8 Zeichen).",
                                       "Please choose a new password (at least 8 characters).")));
     return;
   }
@@ -126,7 +126,7 @@ void Lab::change_password(const VisitPtr& visit, const v1::ChangePassword& chang
   const std::string& wish = change.new_password();
   if (wish.size() < kShortestPassword || wish.size() > kLongestPassword) {
     visit->peer->send(answer_with(v1::LOGIN_RESULT_PASSWORD_WEAK,
-                                  say(tongue_of(visit->person), "Das Kennwort muss 8 bis 256 Zeichen haben.",
+                                  say(tongue_of(visit->person), "Das Passwort muss 8 bis 256 Zeichen haben.",
                                       "The password must have 8 to 256 characters.")));
     return;
   }
