@@ -45,7 +45,7 @@ enum class Address : char {
 struct Word {
   Address address{};
   bool is_parameter = false;
-  std::int64_t number = 0;  ///< parameter number 0..69 when `is_parameter`
+  std::int32_t number = 0;  ///< parameter number 0..69 when `is_parameter`; 32 bits keep a word at 8 bytes
   friend bool operator==(const Word&, const Word&) = default;
 };
 

@@ -174,7 +174,7 @@ bool BlockReader::read_operands(Block& block, const BlockForm& form) {
     } else if (cursor_.current() != '+' && cursor_.current() != '-' && cursor_.current() != '.' &&
                !cursor_.is_digit()) {
       return fail(ErrorCode::word_missing, '=');
-    } else if (!read_length(word) || !check_range(word)) {
+    } else if (!read_length(word)) {
       return false;
     }
     word.is_parameter = false;  // an operand's number is the parameter itself, not a value read through it
@@ -199,7 +199,6 @@ bool BlockReader::read_word(Block& block, Address address, bool is_tool) {
   } else if (!read_plain_number(word)) {
     return false;
   }
-  if (!word.is_parameter && !check_range(word)) return false;
   block.words.push_back(word);
   return true;
 }
@@ -215,8 +214,7 @@ bool BlockReader::read_parameter_number(Word& word) {
     return fail(ErrorCode::word_out_of_range, letter(word.address), std::move(found), "#00..#69");
   }
   word.is_parameter = true;
-  word.number = *number;
-  return true;
+  return take_number(word, *number);
 }
 
 /// Integer 1/1000 mm, or mm with a decimal point (D-101).
@@ -236,8 +234,7 @@ bool BlockReader::read_length(Word& word) {
   } else if (number.digits == 0) {
     return fail(ErrorCode::text_malformed, letter(word.address));
   }
-  word.number = is_negative ? -value_um : value_um;
-  return true;
+  return take_number(word, is_negative ? -value_um : value_um);
 }
 
 /// At most three digits behind the point: more could not be stored.
@@ -259,8 +256,7 @@ bool BlockReader::read_plain_number(Word& word) {
     return fail(ErrorCode::text_malformed, letter(word.address), is_sign ? std::string(1, found) : std::string{},
                 range_text(format_of(word.address)));
   }
-  word.number = number.value;
-  return true;
+  return take_number(word, number.value);
 }
 
 /// P and N of jumps and calls have all their digits, since blocks and programs begin with the same letters.
@@ -272,14 +268,16 @@ bool BlockReader::read_target(Word& word) {
     if (*number == 0) return fail(ErrorCode::block_number_wrong, 'N', "000", "N001..N999");
     next_start_ = BlockStart{*number, word_line_};
   }
-  word.number = *number;
-  return true;
+  return take_number(word, *number);
 }
 
-bool BlockReader::check_range(const Word& word) {
+bool BlockReader::take_number(Word& word, std::int64_t value) {
   const WordFormat& format = format_of(word.address);
-  if (word.number >= format.least && word.number <= format.most) return true;
-  return fail(ErrorCode::word_out_of_range, letter(word.address), value_text(word), range_text(format));
+  if (value < format.least || value > format.most)
+    return fail(ErrorCode::word_out_of_range, letter(word.address), value_text(word.address, value),
+                range_text(format));
+  word.number = static_cast<std::int32_t>(value);
+  return true;
 }
 
 void BlockReader::recover(bool is_tool) {

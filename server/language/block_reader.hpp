@@ -63,7 +63,7 @@ class BlockReader {
   [[nodiscard]] bool read_decimals(std::int64_t& value_um);
   [[nodiscard]] bool read_plain_number(Word& word);
   [[nodiscard]] bool read_target(Word& word);
-  [[nodiscard]] bool check_range(const Word& word);
+  [[nodiscard]] bool take_number(Word& word, std::int64_t value);
   [[nodiscard]] bool find_program();
   [[nodiscard]] bool find_start(bool is_tool);
   [[nodiscard]] bool finish(Block& block, AddressSet found);

@@ -24,10 +24,17 @@ std::string millimetres_text(std::int64_t value_um) {
 }
 
 std::string value_text(const Word& word) {
-  const WordFormat& format = format_of(word.address);
-  if (!word.is_parameter && format.kind == WordFormat::Kind::millimetres) return millimetres_text(word.number);
-  std::string text(word.is_parameter ? "#" : "");
-  append_digits(text, word.number, word.is_parameter ? 2 : format.digits);
+  if (!word.is_parameter) return value_text(word.address, word.number);
+  std::string text("#");
+  append_digits(text, word.number, 2);
+  return text;
+}
+
+std::string value_text(Address address, std::int64_t value) {
+  const WordFormat& format = format_of(address);
+  if (format.kind == WordFormat::Kind::millimetres) return millimetres_text(value);
+  std::string text;
+  append_digits(text, value, format.digits);
   return text;
 }
 

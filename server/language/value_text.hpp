@@ -17,6 +17,8 @@ void append_digits(std::string& text, std::int64_t value, int digits);
 
 /// A word's value for a message: "4000", "-1500.000", "#04".
 [[nodiscard]] std::string value_text(const Word& word);
+/// The same for a number that may be too large for a word.
+[[nodiscard]] std::string value_text(Address address, std::int64_t value);
 
 /// What a format allows: "0001..9999", "-9999.999..9999.999".
 [[nodiscard]] std::string range_text(const WordFormat& format);

@@ -91,7 +91,8 @@ bool WordEntry::to_parameter() {
 
 std::optional<language::Word> WordEntry::word() const {
   if (!has_value) return std::nullopt;
-  return language::Word{address, is_parameter, is_negative && !is_parameter ? -magnitude : magnitude};
+  const auto number = static_cast<std::int32_t>(magnitude);
+  return language::Word{address, is_parameter, is_negative && !is_parameter ? -number : number};
 }
 
 std::string WordEntry::text() const {

@@ -8,13 +8,13 @@ namespace {
 using language::Address;
 
 /// The number of a word that can be known without executing anything.
-const std::int64_t* known_number(const language::Block& block, Address address) {
+const std::int32_t* known_number(const language::Block& block, Address address) {
   const language::Word* word = block.find(address);
   return word == nullptr || word->is_parameter ? nullptr : &word->number;
 }
 
 std::int64_t factor(const language::Block& block, Address address) {
-  const std::int64_t* number = known_number(block, address);
+  const std::int32_t* number = known_number(block, address);
   return number == nullptr ? 1000 : *number;  // G-754
 }
 
@@ -113,10 +113,10 @@ ModalState rebuild_modal(const language::Program& program, std::uint16_t start_b
     if (block.number >= start_block) break;
     if (block.is_damaged) continue;
     take_group(block, modal);
-    if (const std::int64_t* feed = known_number(block, Address::F)) modal.feed_mm_per_min = static_cast<int>(*feed);
-    if (const std::int64_t* speed = known_number(block, Address::S)) modal.spindle_rpm = static_cast<int>(*speed);
-    if (const std::int64_t* tool = known_number(block, Address::T)) modal.tool = static_cast<int>(*tool);
-    if (const std::int64_t* m = known_number(block, Address::M)) take_m(*m, modal);
+    if (const std::int32_t* feed = known_number(block, Address::F)) modal.feed_mm_per_min = static_cast<int>(*feed);
+    if (const std::int32_t* speed = known_number(block, Address::S)) modal.spindle_rpm = static_cast<int>(*speed);
+    if (const std::int32_t* tool = known_number(block, Address::T)) modal.tool = static_cast<int>(*tool);
+    if (const std::int32_t* m = known_number(block, Address::M)) take_m(*m, modal);
   }
   return modal;
 }

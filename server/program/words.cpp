@@ -51,7 +51,7 @@ language::Block read_parameters(language::Block block, const Parameters& paramet
     const bool is_length = language::format_of(word.address).kind == language::WordFormat::Kind::millimetres;
     word = {.address = word.address,
             .is_parameter = false,
-            .number = is_length ? rounded_to_um(value) : value / kParameterUnit};
+            .number = static_cast<std::int32_t>(is_length ? rounded_to_um(value) : value / kParameterUnit)};
   }
   return block;
 }

@@ -27,11 +27,11 @@ bool is_needed(const BlockForm& form, std::size_t place) {
   return false;
 }
 
-std::int64_t random_number(const BlockForm& form, std::size_t place) {
+std::int32_t random_number(const BlockForm& form, std::size_t place) {
   const Address address = form.words[place];
   const WordFormat& format = format_of(address);
   const bool is_cycle = form.needed == Needed::cycle;
-  std::int64_t least = format.least, most = format.most;
+  auto least = static_cast<std::int32_t>(format.least), most = static_cast<std::int32_t>(format.most);
   if (is_cycle && (address == Address::Z || address == Address::Q)) most = -1;
   if (is_cycle && (address == Address::X || address == Address::R || address == Address::W)) least = 1;
   if (is_cycle && address == Address::Y) least = form.function.code == 84 ? 0 : 1;
@@ -39,15 +39,15 @@ std::int64_t random_number(const BlockForm& form, std::size_t place) {
   if (address == Address::H && !is_cycle) least = 1;
   if (form.function.kind == Kind::tool && address == Address::R) least = 0;
   if (address == Address::operand && place == 0) most = 63;
-  if (address != Address::M) return *rc::gen::inRange<std::int64_t>(least, most + 1);
-  return *rc::gen::suchThat(rc::gen::inRange<std::int64_t>(0, 99), is_known_m);
+  if (address != Address::M) return *rc::gen::inRange<std::int32_t>(least, most + 1);
+  return *rc::gen::suchThat(rc::gen::inRange<std::int32_t>(0, 99), is_known_m);
 }
 
 Word random_word(const BlockForm& form, std::size_t place) {
   const Address address = form.words[place];
   const bool may_be_parameter = format_of(address).takes_parameter && form.function.kind != Kind::tool;
   if (may_be_parameter && *rc::gen::inRange(0, 5) == 0)
-    return {.address = address, .is_parameter = true, .number = *rc::gen::inRange<std::int64_t>(0, 70)};
+    return {.address = address, .is_parameter = true, .number = *rc::gen::inRange<std::int32_t>(0, 70)};
   return {.address = address, .number = random_number(form, place)};
 }
 
