@@ -97,6 +97,25 @@ struct SpindleDigits {
 struct End {};   ///< M02 or end of the main program
 struct Mark {};  ///< a block without effect on the machine
 
+// Orders to the stages that rewrite the path (path_stages.hpp). None leaves the last stage: a Mark takes its place.
+
+/// Which side of the programmed contour the tool's centre keeps to (G41, G42), or by how much ways along the plane's
+/// axes grow or shrink (G43, G44).
+enum class OffsetSide : std::uint8_t { off, left, right, plus, minus };
+struct RadiusOffset {
+  OffsetSide side = OffsetSide::off;
+  double radius_mm = 0;  ///< 0: no tool was called, the contour is run as it is (COMP-003)
+  Plane plane = Plane::xy;
+};  ///< G40..G44
+struct LengthOffset {
+  double length_mm = 0;     ///< added to the axis perpendicular to the plane; 0 under G45
+  Plane plane = Plane::xy;  ///< XY: Z, XZ: Y, YZ: X (COMP-015)
+};  ///< G45, G46
+struct CornerRounding {
+  double radius_mm = 0;  ///< > 0
+  Plane plane = Plane::xy;
+};  ///< G10: between the line before and the line behind it
+
 using MachineEvent = std::variant<Dwell, Spindle, Coolant, ToolChange, Output, Wait, SetActual, Reference, Halt, Signal,
                                   SpindleDigits, End, Mark>;
 
@@ -109,8 +128,9 @@ struct PathItem {
   bool is_fourth_axis = false;       ///< G12: a line of U alone
   bool exact_stop = false;           ///< G61..G66: ramp to F START/STOP, then creep (DEC-20)
   bool override_off = false;         ///< M23: the potentiometer does not act (taken as 100 %)
+  std::uint8_t named_axes = 0;       ///< ways: axes that have a word in the block, X 1, Y 2, Z 4 (COMP-015, D-72)
   std::variant<Line, Arc, Dwell, Spindle, Coolant, ToolChange, Output, Wait, SetActual, Reference, Halt, Signal,
-               SpindleDigits, End, Mark>
+               SpindleDigits, End, Mark, RadiusOffset, LengthOffset, CornerRounding>
       what = Mark{};
 };
 

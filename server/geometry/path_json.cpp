@@ -185,6 +185,9 @@ struct Writer {
   }
   bool operator()(const SpindleDigits&) const { return false; }
   bool operator()(const Mark&) const { return false; }
+  bool operator()(const RadiusOffset&) const { return false; }
+  bool operator()(const LengthOffset&) const { return false; }
+  bool operator()(const CornerRounding&) const { return false; }
 };
 
 }  // namespace

@@ -34,6 +34,9 @@ bool needs_standstill(const geometry::PathItem& item) {
                         [](const Signal&) { return false; },
                         [](const SpindleDigits&) { return false; },
                         [](const Mark&) { return false; },
+                        [](const RadiusOffset&) { return false; },
+                        [](const LengthOffset&) { return false; },
+                        [](const CornerRounding&) { return false; },
                     },
                     item.what);
 }

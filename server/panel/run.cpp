@@ -34,15 +34,6 @@ program::Settings interpreter_settings(const RunOrder& order, bool is_lab_machin
   return settings;
 }
 
-program::InputReader input_reader(std::shared_ptr<machine::Channel> channel) {
-  return [channel = std::move(channel)](int card, int line) {
-    const machine::Snapshot snapshot = channel->snapshot();
-    if (card == 0) return snapshot.input_1;
-    const unsigned inputs = snapshot.inputs[static_cast<std::size_t>(std::clamp(card, 1, 2) - 1)];
-    return line == 0 ? inputs == 0xFFU : ((inputs >> (line - 1)) & 1U) != 0;
-  };
-}
-
 double seconds_of(const geometry::PathItem& item) {
   constexpr double kSecondsPerMinute = 60;
   if (const auto* line = std::get_if<geometry::Line>(&item.what))
@@ -63,8 +54,8 @@ bool acts_at_block_start(int m) { return m == 3 || m == 4 || m == 8 || m == 13 |
 }  // namespace
 
 std::expected<void, language::Error> Run::begin(const Connection& connection, RunOrder order) {
-  auto interpreter = program::Interpreter::begin(order.programs, interpreter_settings(order, connection.is_lab_machine),
-                                                 order.start, input_reader(connection.channel));
+  auto interpreter =
+      program::Interpreter::begin(order.programs, interpreter_settings(order, connection.is_lab_machine), order.start);
   if (!interpreter) return std::unexpected(interpreter.error());
   *this = Run{};
   connection_ = connection;

@@ -55,7 +55,7 @@ std::unexpected<language::Error> feed_above_limit(geometry::SourceBlock source, 
 }
 
 std::expected<Interpreter, language::Error> Interpreter::begin(ProgramSet programs, Settings settings,
-                                                               const Start& start, InputReader inputs) {
+                                                               const Start& start) {
   const geometry::SourceBlock place{.program = start.program, .block = start.block};
   const language::Program* program = start.program == language::kToolTable ? nullptr : programs.find(start.program);
   if (language::is_reserved_for_cycles(start.program))
@@ -66,14 +66,11 @@ std::expected<Interpreter, language::Error> Interpreter::begin(ProgramSet progra
   if (!program->find(start.block))
     return error_at(language::ErrorCode::block_missing, place, 'N', fmt::format("N{:03}", start.block));
   if (Outcome outcome = check_executable(programs, settings, start); !outcome) return std::unexpected(outcome.error());
-  return Interpreter(std::move(programs), std::move(settings), start, std::move(inputs));
+  return Interpreter(std::move(programs), std::move(settings), start);
 }
 
-Interpreter::Interpreter(ProgramSet programs, Settings settings, const Start& start, InputReader inputs)
-    : programs_(std::move(programs)),
-      settings_(std::move(settings)),
-      inputs_(std::move(inputs)),
-      parameters_(start.parameters) {
+Interpreter::Interpreter(ProgramSet programs, Settings settings, const Start& start)
+    : programs_(std::move(programs)), settings_(std::move(settings)), parameters_(start.parameters) {
   const geometry::Point& position = start.position;
   state_.modal = start.modal;
   state_.programmed_nm = {std::llround(position.x * kNanometresPerMm), std::llround(position.y * kNanometresPerMm),
@@ -87,6 +84,18 @@ Interpreter::Interpreter(ProgramSet programs, Settings settings, const Start& st
   levels_.push_back({.program = program, .next = index, .called = program, .entry = index, .repeats_left = 0});
 }
 
+std::optional<std::uint64_t> Interpreter::awaited_input() const {
+  if (last_ || input_answer_) return std::nullopt;
+  const Frame& level = levels_.back();
+  const language::Function function = level.program->blocks[level.next].function;
+  const bool asks = function.kind == language::Function::Kind::g && (function.code == 21 || function.code == 23);
+  constexpr std::uint64_t kBlocksBefore = 2;
+  if (!asks) return std::nullopt;
+  return sequence_ + 1 > kBlocksBefore ? sequence_ + 1 - kBlocksBefore : 0;
+}
+
+void Interpreter::answer_input(bool is_active) { input_answer_ = is_active; }
+
 std::expected<ExecutedBlock, language::Error> Interpreter::step(std::vector<geometry::PathItem>& out) {
   if (last_) return *last_;
   const ExecutionState before = state_;
@@ -96,6 +105,7 @@ std::expected<ExecutedBlock, language::Error> Interpreter::step(std::vector<geom
     state_ = before;
     out.resize(items_before);
   }
+  input_answer_.reset();
   if (!result || result->ended) last_ = result;
   return result;
 }

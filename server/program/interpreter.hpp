@@ -9,7 +9,6 @@
 #include <array>
 #include <cstdint>
 #include <expected>
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -45,6 +44,7 @@ struct Start {
   geometry::Point position{};  ///< Istwert at START, mm
   ModalState modal{};
   Parameters parameters{};
+  std::array<double, 3> compensation_mm{};  ///< Istwert minus Sollwert of X Y Z: what compensation has left (D-75)
 };
 
 /// What one executed block was and left behind.
@@ -58,9 +58,6 @@ struct ExecutedBlock {
   std::array<std::int64_t, 3> programmed_um{};  ///< Sollwert X Y Z after the block
   bool ended = false;                           ///< the program's end was reached with this block
 };
-
-/// The state of inputs as the program may ask for them: card 0 line 0 is Input 1 (G21, G23, M16).
-using InputReader = std::function<bool(int card, int line)>;
 
 /// What a block works on; copied before each block, so that a block that fails leaves nothing behind.
 struct ExecutionState {
@@ -88,7 +85,13 @@ class Interpreter {
   /// errors  program_missing, block_missing, reserved_for_cycles; not_in_this_version names the first block that can be
   ///         reached and that this version cannot execute, so that nothing moves before it is known
   [[nodiscard]] static std::expected<Interpreter, language::Error> begin(ProgramSet programs, Settings settings,
-                                                                         const Start& start, InputReader inputs = {});
+                                                                         const Start& start);
+
+  /// The sequence of the block at whose start Input 1 counts for the next block (G21, G23: two blocks before; 0: at
+  /// START; G-211, D-56). Nothing where the next block does not ask, or has its answer.
+  [[nodiscard]] std::optional<std::uint64_t> awaited_input() const;
+  /// Answers `awaited_input`. A block that asks and has no answer takes Input 1 as inactive.
+  void answer_input(bool is_active);
 
   /// Executes the next block and appends what it does to `out`; a block without effect appends a Mark, so that every
   /// block has an item that ends it. The end of the program appends End.
@@ -108,7 +111,7 @@ class Interpreter {
   [[nodiscard]] std::vector<std::pair<geometry::SourceBlock, const language::Block*>> upcoming(std::size_t count) const;
 
  private:
-  Interpreter(ProgramSet programs, Settings settings, const Start& start, InputReader inputs);
+  Interpreter(ProgramSet programs, Settings settings, const Start& start);
 
   std::expected<ExecutedBlock, language::Error> execute_block(std::vector<geometry::PathItem>& out);
   /// The checks before a block acts; the block with its parameters read, or nothing where it has none.
@@ -122,7 +125,7 @@ class Interpreter {
 
   ProgramSet programs_;
   Settings settings_;
-  InputReader inputs_;
+  std::optional<bool> input_answer_;  ///< for the next block
   Parameters parameters_{};
   ExecutionState state_;
   std::array<std::int64_t, 3> programmed_um_{};  ///< programmed_nm, rounded

@@ -36,6 +36,9 @@ std::vector<std::string> names_of(const RunResult& result) {
     std::string operator()(const geometry::SpindleDigits& digits) const { return "digits " + number(digits.rpm); }
     std::string operator()(const geometry::End&) const { return "end"; }
     std::string operator()(const geometry::Mark&) const { return "mark"; }
+    std::string operator()(const geometry::RadiusOffset& offset) const { return "offset R" + number(offset.radius_mm); }
+    std::string operator()(const geometry::LengthOffset& offset) const { return "offset L" + number(offset.length_mm); }
+    std::string operator()(const geometry::CornerRounding& corner) const { return "round " + number(corner.radius_mm); }
     static std::string number(double value) {
       std::string text;
       geometry::append_number(text, value);
