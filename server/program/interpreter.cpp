@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "program/compensation.hpp"
 #include "program/functions.hpp"
 #include "program/reachable.hpp"
 #include "program/words.hpp"
@@ -13,8 +14,7 @@ namespace cnclab::program {
 
 namespace {
 
-constexpr double kNanometresPerMm = 1e6;
-
+std::int64_t to_nm(double mm) { return std::llround(mm * kNanometresPerMm); }
 std::int64_t to_um(std::int64_t nm) { return (nm >= 0 ? nm + 500 : nm - 500) / 1000; }
 
 /// The first block in reach that this version cannot execute (D-02: nothing moves before it is known).
@@ -29,6 +29,8 @@ Outcome check_executable(const ProgramSet& programs, const Settings& settings, c
 
 /// F, S, T and the M functions of the block's start; the function itself; the M functions of its end (M-900, FST-009).
 Outcome execute_words(BlockRun& run) {
+  constexpr std::uint64_t kFirst = 1;
+  if (run.pattern.sequence == kFirst) announce_compensation(run);
   execute_feed_speed_tool(run);
   execute_m(run, Moment::block_start);
   if (Outcome outcome = handler_of(run.block.function)(run); !outcome) return outcome;
@@ -71,14 +73,17 @@ std::expected<Interpreter, language::Error> Interpreter::begin(ProgramSet progra
 
 Interpreter::Interpreter(ProgramSet programs, Settings settings, const Start& start)
     : programs_(std::move(programs)), settings_(std::move(settings)), parameters_(start.parameters) {
-  const geometry::Point& position = start.position;
   state_.modal = start.modal;
-  state_.programmed_nm = {std::llround(position.x * kNanometresPerMm), std::llround(position.y * kNanometresPerMm),
-                          std::llround(position.z * kNanometresPerMm)};
-  state_.fourth_axis_nm = std::llround(position.u * kNanometresPerMm);
-  state_.path = position;
-  for (std::size_t axis = 0; axis < programmed_um_.size(); ++axis)
+  state_.path = start.position;
+  state_.fourth_axis_nm = to_nm(start.position.u);
+  for (std::size_t axis = 0; axis < programmed_um_.size(); ++axis) {
+    // The stages begin with the same compensation and add it again (D-75).
+    double& path_mm = state_.path.*kPathAxes[axis];
+    path_mm -= start.compensation_mm[axis];
+    state_.programmed_nm[axis] = to_nm(path_mm);
     programmed_um_[axis] = to_um(state_.programmed_nm[axis]);
+    if (to_nm(start.compensation_mm[axis]) != 0) state_.shifted_axes |= axis_bit(axis);
+  }
   const language::Program* program = programs_.find(start.program);
   const std::size_t index = program->find(start.block).value_or(0);
   levels_.push_back({.program = program, .next = index, .called = program, .entry = index, .repeats_left = 0});
@@ -132,9 +137,9 @@ std::expected<ExecutedBlock, language::Error> Interpreter::execute_block(std::ve
                            .sequence = executed.sequence,
                            .passes_single_block = is_hidden_subprogram,
                            .override_off = state_.modal.potentiometer_off},
+               .input_is_active = input_answer_.value_or(false),
                .state = state_,
-               .out = out,
-               .flow = {}};
+               .out = out};
   const std::size_t items_before = out.size();
   if (Outcome outcome = execute_words(run); !outcome) return std::unexpected(outcome.error());
   ended_ = go_on(run.flow);

@@ -27,6 +27,9 @@ inline constexpr int kDeepestCall = 16;  ///< D-58
 /// ever rounds (DEC-05).
 using Nanometres = std::array<std::int64_t, 3>;
 
+/// Some of the axes X 1, Y 2, Z 4.
+using AxisSet = std::uint8_t;
+
 /// What execution must know of the machine and the configuration; values at START (DEC-28).
 struct Settings {
   double f_max_mm_per_min = 3000;
@@ -34,6 +37,7 @@ struct Settings {
   std::array<double, 3> travel_mm{500, 500, 500};  ///< word limits MD 03..05 for values by parameter
   std::array<double, 4> steps_per_mm{200, 200, 200, 200};
   language::Vocabulary vocabulary{};
+  std::array<bool, 3> io_cards{true, true, true};  ///< which of the I/O cards 1, 2, 3 are fitted (D-124)
   bool outputs_at_end_off = false;  ///< lab machine: the end of a program switches spindle and coolant off (DEC-38)
 };
 
@@ -65,7 +69,9 @@ struct ExecutionState {
   Nanometres programmed_nm{};       ///< Sollwert as the operator reads it
   Nanometres offset_nm{};           ///< path coordinate minus Sollwert: what G68 has renamed since START
   std::int64_t fourth_axis_nm = 0;  ///< U, path coordinate (G12; no Istwert of its own, D-62)
-  geometry::Point path;  ///< end of the path so far; an axis that does not move keeps its value to the last bit
+  geometry::Point path;      ///< end of the path so far; an axis that does not move keeps its value to the last bit
+  AxisSet shifted_axes = 0;  ///< axes whose path may lie beside this one: compensation has moved them (D-75)
+  bool is_contour_shifted = false;  ///< by G41, G42, which is left with both axes at once; else axis by axis
 };
 
 /// One level of calls: level 0 is the main program.
