@@ -25,10 +25,12 @@ struct Flow {
 struct BlockRun {
   const language::Block& block;  ///< parameters already replaced by their values
   geometry::SourceBlock source;
+  std::uint64_t sequence = 0;
+  bool passes_single_block = false;  ///< as PathItem has them
+  bool override_off = false;
   const Settings& settings;
   const ProgramSet& programs;
   std::span<const Frame> levels;  ///< active calls; the last one runs
-  geometry::PathItem pattern;     ///< an item of this block, without content
   bool exact_stop = false;        ///< its ways end with an exact stop
   bool input_is_active = false;   ///< Input 1 as it was two blocks before (D-56)
   ExecutionState& state;
@@ -38,8 +40,11 @@ struct BlockRun {
   /// Appends an event of this block, or a way of the fourth axis.
   template <typename What>
   void emit(const What& what) {
-    out.push_back(pattern);
-    out.back().what = what;
+    out.push_back({.source = source,
+                   .sequence = sequence,
+                   .passes_single_block = passes_single_block,
+                   .override_off = override_off,
+                   .what = what});
   }
   /// Appends a way of the main axes.
   template <typename Element>

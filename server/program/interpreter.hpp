@@ -16,6 +16,7 @@
 #include "geometry/path_item.hpp"
 #include "language/block_form.hpp"
 #include "language/error.hpp"
+#include "program/checked_blocks.hpp"
 #include "program/modal_state.hpp"
 #include "program/program_source.hpp"
 
@@ -110,7 +111,7 @@ class Interpreter {
   [[nodiscard]] const ModalState& modal() const { return state_.modal; }
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
   /// Programmed position (Sollwert): Istwert as the operator reads it after the blocks so far, in µm; X Y Z.
-  [[nodiscard]] const std::array<std::int64_t, 3>& programmed_um() const { return programmed_um_; }
+  [[nodiscard]] std::array<std::int64_t, 3> programmed_um() const;
 
   /// The blocks that come next in stored order, following unconditional G20 only (DEC-63), without executing them.
   /// The first is the block that `step` would execute.
@@ -121,8 +122,8 @@ class Interpreter {
 
   std::expected<ExecutedBlock, language::Error> execute_block(std::vector<geometry::PathItem>& out);
   /// The checks before a block acts; the block with its parameters read, or nothing where it has none.
-  std::expected<std::optional<language::Block>, language::Error> prepare(const language::Block& stored,
-                                                                         geometry::SourceBlock source) const;
+  std::expected<std::optional<language::Block>, language::Error> prepare(const Frame& level,
+                                                                         geometry::SourceBlock source);
   /// Moves on to the next block to execute; true when there is none.
   bool go_on(const Flow& flow);
   /// Leaves finished subprograms or runs them again (W); true when the main program has no further block.
@@ -134,7 +135,7 @@ class Interpreter {
   std::optional<bool> input_answer_;  ///< for the next block
   Parameters parameters_{};
   ExecutionState state_;
-  std::array<std::int64_t, 3> programmed_um_{};  ///< programmed_nm, rounded
+  CheckedBlocks checked_;
   std::vector<Frame> levels_;
   std::uint64_t sequence_ = 0;
   bool ended_ = false;
