@@ -119,28 +119,29 @@ std::expected<ExecutedBlock, language::Error> Interpreter::step(std::vector<geom
   return result;
 }
 
+BlockRun Interpreter::bench_for(const language::Block& block, std::vector<geometry::PathItem>& out) {
+  return {.block = block,
+          .source = {.program = levels_.back().program->number, .block = block.number},
+          .sequence = sequence_ + 1,
+          .passes_single_block = levels_.size() > 1 && state_.modal.subprogram_blocks_hidden,
+          .override_off = state_.modal.potentiometer_off,
+          .settings = settings_,
+          .programs = programs_,
+          .levels = levels_,
+          .input_is_active = input_answer_.value_or(false),
+          .state = state_,
+          .out = out};
+}
+
 std::expected<ExecutedBlock, language::Error> Interpreter::execute_block(std::vector<geometry::PathItem>& out) {
   const Frame& level = levels_.back();
-  const language::Block& stored = level.program->blocks[level.next];
-  const geometry::SourceBlock source{.program = level.program->number, .block = stored.number};
+  const auto with_values = prepare(level);
+  if (!with_values) return std::unexpected(with_values.error());
+  BlockRun run = bench_for(*with_values ? **with_values : level.program->blocks[level.next], out);
   const std::uint16_t main_program = levels_.front().program->number;
   const int depth = static_cast<int>(levels_.size()) - 1;
-  const bool is_hidden_subprogram = depth > 0 && state_.modal.subprogram_blocks_hidden;
-  const bool is_shown = !state_.modal.blocks_hidden && !is_hidden_subprogram;
+  const bool is_shown = !state_.modal.blocks_hidden && !run.passes_single_block;
 
-  const auto block = prepare(level, source);
-  if (!block) return std::unexpected(block.error());
-  BlockRun run{.block = *block ? **block : stored,
-               .source = source,
-               .sequence = sequence_ + 1,
-               .passes_single_block = is_hidden_subprogram,
-               .override_off = state_.modal.potentiometer_off,
-               .settings = settings_,
-               .programs = programs_,
-               .levels = levels_,
-               .input_is_active = input_answer_.value_or(false),
-               .state = state_,
-               .out = out};
   const std::size_t items_before = out.size();
   if (Outcome outcome = execute_words(run); !outcome) return std::unexpected(outcome.error());
   ended_ = go_on(run.flow);
@@ -149,15 +150,15 @@ std::expected<ExecutedBlock, language::Error> Interpreter::execute_block(std::ve
   out.back().ends_block = true;
   sequence_ = run.sequence;
   // Built in its place: copying it would take as long as the block's way takes to work out.
-  return std::expected<ExecutedBlock, language::Error>(std::in_place, sequence_, source, depth, main_program, is_shown,
-                                                       state_.modal, programmed_um(), ended_);
+  return std::expected<ExecutedBlock, language::Error>(std::in_place, sequence_, run.source, depth, main_program,
+                                                       is_shown, state_.modal, programmed_um(), ended_);
 }
 
-std::expected<std::optional<language::Block>, language::Error> Interpreter::prepare(const Frame& level,
-                                                                                    geometry::SourceBlock source) {
+std::expected<std::optional<language::Block>, language::Error> Interpreter::prepare(const Frame& level) {
   const geometry::Plane plane = state_.modal.plane;
   if (checked_.has_passed(*level.program, level.next, plane)) return std::nullopt;
   const language::Block& stored = level.program->blocks[level.next];
+  const geometry::SourceBlock source{.program = level.program->number, .block = stored.number};
   if (stored.is_damaged) return error_at(language::ErrorCode::checksum_wrong, source, 0);
   if (Outcome outcome = executable(stored, source, settings_.vocabulary); !outcome)
     return std::unexpected(outcome.error());
@@ -168,6 +169,25 @@ std::expected<std::optional<language::Block>, language::Error> Interpreter::prep
     return std::unexpected(outcome.error());
   if (!with_values) checked_.pass(*level.program, level.next, plane);
   return with_values;
+}
+
+bool Interpreter::pass_over_fault() {
+  const Frame& level = levels_.back();
+  const language::Block& stored = level.program->blocks[level.next];
+  if (!last_ || last_->has_value() || jumps_always(stored)) return false;
+  const bool has_no_feed = last_->error().code == language::ErrorCode::feed_missing;
+  last_.reset();
+  const language::Block block = read_parameters(stored, parameters_, state_, programs_);
+  std::vector<geometry::PathItem> unused;
+  BlockRun run = bench_for(block, unused);
+  execute_feed_speed_tool(run);
+  execute_m(run, Moment::block_start);
+  if (const auto target = target_of(run); target && is_way(block.function)) arrive(run, *target);
+  execute_m(run, Moment::block_end);
+  if (has_no_feed) state_.modal.feed_mm_per_min = 1;
+  ++sequence_;
+  ended_ = go_on(run.flow);
+  return !ended_;
 }
 
 bool Interpreter::go_on(const Flow& flow) {

@@ -107,6 +107,11 @@ class Interpreter {
   /// after the end or an error, further calls return the same.
   [[nodiscard]] std::expected<ExecutedBlock, language::Error> step(std::vector<geometry::PathItem>& out);
 
+  /// For checks: goes on behind the block at which `step` failed, as if it had been right: its F, S, T and M act, its
+  /// axes are at the end of its way, and an F that was missing is there. False where nothing follows, or nobody knows
+  /// what (a jump that leads nowhere).
+  bool pass_over_fault();
+
   [[nodiscard]] bool ended() const { return ended_; }
   [[nodiscard]] const ModalState& modal() const { return state_.modal; }
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
@@ -122,13 +127,14 @@ class Interpreter {
 
   std::expected<ExecutedBlock, language::Error> execute_block(std::vector<geometry::PathItem>& out);
   /// The checks before a block acts; the block with its parameters read, or nothing where it has none.
-  std::expected<std::optional<language::Block>, language::Error> prepare(const Frame& level,
-                                                                         geometry::SourceBlock source);
+  std::expected<std::optional<language::Block>, language::Error> prepare(const Frame& level);
   /// Moves on to the next block to execute; true when there is none.
   bool go_on(const Flow& flow);
   /// Leaves finished subprograms or runs them again (W); true when the main program has no further block.
   bool leave_finished_levels();
   void append_end(BlockRun& run);
+  /// The bench for the block that comes next; `block` may be that with its parameters read.
+  BlockRun bench_for(const language::Block& block, std::vector<geometry::PathItem>& out);
 
   ProgramSet programs_;
   Settings settings_;

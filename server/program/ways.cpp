@@ -20,13 +20,6 @@ constexpr std::array kAxisWords{Address::X, Address::Y, Address::Z};
 /// Sums beyond 100 km leave the exact range of a path coordinate; no machine is that long.
 constexpr std::int64_t kFarthest_nm = 100'000'000'000'000;
 
-/// The end of the way is the beginning of the next.
-void arrive(BlockRun& run, const Target& target) {
-  follow_compensation(run.state, target);
-  run.state.programmed_nm = target.programmed_nm;
-  run.state.path = target.path;
-}
-
 }  // namespace
 
 PlaneIndices indices_of(geometry::Plane plane) {
@@ -39,6 +32,12 @@ PlaneIndices indices_of(geometry::Plane plane) {
       return {.in_plane = {1, 2}, .normal = 0};
   }
   return {.in_plane = {0, 1}, .normal = 2};
+}
+
+bool is_way(language::Function function) {
+  if (function.kind != language::Function::Kind::g) return false;
+  const int code = function.code > 60 && function.code < 67 ? function.code - 60 : function.code;
+  return code <= 8 && code != 4;
 }
 
 std::string in_mm(double value_mm) { return fmt::format("{:.3f}", value_mm); }
@@ -68,6 +67,12 @@ Outcome check_feed(const BlockRun& run) {
   if (feed <= 0) return error_at(ErrorCode::feed_missing, run.source, 'F');
   if (feed > run.settings.f_max_mm_per_min) return feed_above_limit(run.source, feed, run.settings);
   return {};
+}
+
+void arrive(BlockRun& run, const Target& target) {
+  follow_compensation(run.state, target);
+  run.state.programmed_nm = target.programmed_nm;
+  run.state.path = target.path;
 }
 
 void go_straight(BlockRun& run, const Target& target, double feed_mm_per_min, bool is_rapid) {

@@ -24,6 +24,9 @@ struct PlaneIndices {
 };
 [[nodiscard]] PlaneIndices indices_of(geometry::Plane plane);
 
+/// Does the function move X, Y, Z to the end of its words: G00 to G03, G05 to G08, and those with exact stop?
+[[nodiscard]] bool is_way(language::Function function);
+
 /// Where a block leads.
 struct Target {
   Nanometres programmed_nm{};
@@ -37,6 +40,9 @@ struct Target {
 
 /// The modal F must be there and within F MAX (D-59, DEC-25: the lab machine's limit may be the smaller one).
 [[nodiscard]] Outcome check_feed(const BlockRun& run);
+
+/// The end of a way is the beginning of the next.
+void arrive(BlockRun& run, const Target& target);
 
 /// A straight way to `target`. A way of no length is no element: nothing moves and nothing has to stop for it. Where
 /// compensation is at work it is one all the same, since it may be the way on which that is entered or left.
