@@ -134,6 +134,14 @@ Plane plane_of_words(const Block& block, Plane fallback) {
   return plane_of_words(block.function, words, fallback);
 }
 
+Plane plane_behind(const Block& block, Plane before) {
+  if (block.function.kind != Kind::g) return before;
+  if (block.function.code == 17) return Plane::xy;
+  if (block.function.code == 18) return Plane::xz;
+  if (block.function.code == 19) return Plane::yz;
+  return before;
+}
+
 bool is_known_m(std::int64_t code) {
   if (code < 0 || code > 98) return false;
   if (code < 40) {

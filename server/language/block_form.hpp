@@ -68,6 +68,9 @@ struct Vocabulary {
 /// The plane whose form fits the words that a block has (a tape does not say it); `fallback` where several fit.
 [[nodiscard]] Plane plane_of_words(const Block& block, Plane fallback);
 
+/// The plane in force behind a block: that of G17, G18, G19, else as before.
+[[nodiscard]] Plane plane_behind(const Block& block, Plane before);
+
 /// A set of addresses, one bit for each character from '#' to 'Z'.
 using AddressSet = std::uint64_t;
 [[nodiscard]] constexpr AddressSet bit_of(Address address) { return AddressSet{1} << (letter(address) - '#'); }

@@ -201,9 +201,7 @@ std::vector<Error> check_program(const Program& program, const Vocabulary& vocab
   std::vector<Error> errors;
   Plane plane = Plane::xy;
   for (const Block& block : program.blocks) {
-    if (is_g(block, 17)) plane = Plane::xy;
-    if (is_g(block, 18)) plane = Plane::xz;
-    if (is_g(block, 19)) plane = Plane::yz;
+    plane = plane_behind(block, plane);
     auto checked = check_block(block, plane, vocabulary, limits);
     if (checked) continue;
     checked.error().program = program.number;
