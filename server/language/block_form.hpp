@@ -78,6 +78,9 @@ using AddressSet = std::uint64_t;
 /// The addresses that a form has; `form` must come from find_form or all_forms.
 [[nodiscard]] AddressSet addresses_of(const BlockForm& form);
 
+/// Those of them that every block of the form needs (D-45).
+[[nodiscard]] AddressSet required_addresses_of(const BlockForm& form);
+
 /// The addresses that a function has in one plane or another; none where the function does not exist.
 [[nodiscard]] AddressSet addresses_in_any_plane(Function function);
 
