@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "program/reachable.hpp"
 #include "program/rebuild_modal.hpp"
 #include "run_text.hpp"
 
@@ -11,6 +12,7 @@ namespace cnclab::program {
 namespace {
 
 using language::ErrorCode;
+using testing::ElementsAre;
 using testing::IsEmpty;
 
 struct FlowRow {
@@ -31,6 +33,9 @@ INSTANTIATE_TEST_SUITE_P(
     , Flow,
     testing::Values(
         FlowRow{"EDIT032_gaps", "P0001N001G17N010G18N900G19%", "P1N1 P1N10 P1N900"},
+        FlowRow{"BLK006_BLK007_first_and_last_numbers",
+                "P0001N001G17N999G20P9999N001\nP9999N001G22P9980N999W00N999G17\nP9980N999G18%",
+                "P1N1 P1N999 P9999N1 P9980N999 P9999N999"},
         FlowRow{"G200_jump_within_the_program", "P0001N001G20P0001N003N002G17N003G18%", "P1N1 P1N3"},
         FlowRow{"G200_jump_into_another_program", "P0001N001G20P0002N002\nP0002N001G17N002G18N003G19%",
                 "P1N1 P2N2 P2N3"},
@@ -55,6 +60,19 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(FlowStart, BeginsAtAnyStoredBlock_EX053) {
   const RunResult run = run_text("P0002N003G17N010G18N900G19%", 9, {.program = 2, .block = 10});
   EXPECT_EQ(run.order(), "P2N10 P2N900");
+}
+
+TEST(FlowUpcoming, FollowsJumpsWithoutConditionOnly_DEC63) {
+  const ProgramSet programs = programs_of(
+      "P0001N001\\53N005N002\\50N005N003G21P0001N005N004G20P#01N005N005G17N006G20P0009N001N007G20P0002N001\n"
+      "P0002N001G17%");
+  const language::Program& program = *programs.find(1);
+  std::vector<int> targets;
+  for (const language::Block& block : program.blocks) {
+    const auto target = unconditional_target(programs, program, block);
+    targets.push_back(target ? target->program->blocks[target->index].number + 1000 * target->program->number : 0);
+  }
+  EXPECT_THAT(targets, ElementsAre(1005, 0, 0, 0, 0, 0, 2001)) << "missing and unknown targets are not followed";
 }
 
 TEST(FlowStart, SaysWhatIsMissing) {
@@ -84,17 +102,24 @@ TEST_P(FlowErrors, NameTheBlock) {
 
 INSTANTIATE_TEST_SUITE_P(
     , FlowErrors,
-    testing::Values(ErrorRow{"D58_G20_to_a_missing_program", "P0001N001G20P0002N001%", ErrorCode::program_missing, 1,
-                             1},
-                    ErrorRow{"D58_G22_to_a_missing_block", "P0001N001G17N002G22P0002N009W00\nP0002N001G17%",
-                             ErrorCode::block_missing, 1, 2},
-                    ErrorRow{"DEC64_G22_to_a_cycle", "P0001N001G22P9981N001W00%", ErrorCode::reserved_for_cycles, 1, 1},
-                    ErrorRow{"D58_call_of_itself", "P0001N001G22P0001N001W00%", ErrorCode::calls_itself, 1, 1},
-                    ErrorRow{"D58_two_that_call_each_other",
-                             "P0001N001G22P0002N001W00\nP0002N001G22P0003N001W00\nP0003N001G17N002G22P0002N001W00%",
-                             ErrorCode::calls_itself, 3, 2},
-                    ErrorRow{"G22_of_the_tool_table", "P0000T001R+1L+1\nP0001N001G22P0000N001W00%",
-                             ErrorCode::program_missing, 1, 1}),
+    testing::Values(
+        ErrorRow{"D58_G20_to_a_missing_program", "P0001N001G20P0002N001%", ErrorCode::program_missing, 1, 1},
+        ErrorRow{"D58_G22_to_a_missing_block", "P0001N001G17N002G22P0002N009W00\nP0002N001G17%",
+                 ErrorCode::block_missing, 1, 2},
+        ErrorRow{"DEC64_G22_to_a_cycle", "P0001N001G22P9981N001W00%", ErrorCode::reserved_for_cycles, 1, 1},
+        ErrorRow{"DEC64_G20_to_a_cycle", "P0001N001G17N002G20P9989N001%", ErrorCode::reserved_for_cycles, 1, 2},
+        ErrorRow{"D58_G20_to_a_missing_block", "P0001N001G20P0001N002%", ErrorCode::block_missing, 1, 1},
+        ErrorRow{"D58_G20_to_the_tool_table", "P0000T001R+1L+1\nP0001N001G20P0000N001%", ErrorCode::program_missing, 1,
+                 1},
+        ErrorRow{"D58_after_G20_the_caller_is_still_active",
+                 "P0001N001G22P0002N001W00\nP0002N001G20P0003N001\nP0003N001G22P0002N001W00%", ErrorCode::calls_itself,
+                 3, 1},
+        ErrorRow{"D58_call_of_itself", "P0001N001G22P0001N001W00%", ErrorCode::calls_itself, 1, 1},
+        ErrorRow{"D58_two_that_call_each_other",
+                 "P0001N001G22P0002N001W00\nP0002N001G22P0003N001W00\nP0003N001G17N002G22P0002N001W00%",
+                 ErrorCode::calls_itself, 3, 2},
+        ErrorRow{"G22_of_the_tool_table", "P0000T001R+1L+1\nP0001N001G22P0000N001W00%", ErrorCode::program_missing, 1,
+                 1}),
     [](const auto& row) { return std::string(row.param.name); });
 
 /// P0001 calls P0002 calls … `calls` levels deep.

@@ -1,10 +1,8 @@
 // Random programs of ways in G90 and G91, with scale, renamed positions and calls: the programmed position is exact to
 // the last nanometre, and the path follows it without a gap. The oracle adds whole numbers.
 #include <gtest/gtest.h>
-#include <rapidcheck/gtest.h>
 
-#include <cmath>
-
+#include "random_cases.hpp"
 #include "run_text.hpp"
 
 namespace cnclab::program {

@@ -1,6 +1,8 @@
 // G68 and G69: positions get new names, the path goes on without a jump (G-680 to G-694, D-63, D-64, EX-070).
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 #include "item_names.hpp"
 
 namespace cnclab::program {
