@@ -21,7 +21,8 @@ struct Flow {
 };
 
 /// The bench on which a function works. It changes `state`, appends to `out` and sets `flow`; the interpreter keeps
-/// all of that only if the whole block succeeds, so a function may return an error at any point.
+/// all of that only if the whole block succeeds, so a function may return an error at any point. Parameters and result
+/// register are not copied for that: who changes them has checked everything before.
 struct BlockRun {
   const language::Block& block;  ///< parameters already replaced by their values
   geometry::SourceBlock source;
@@ -30,6 +31,8 @@ struct BlockRun {
   std::span<const Frame> levels;  ///< active calls; the last one runs
   geometry::PathItem pattern;     ///< an item of this block, without content
   ExecutionState& state;
+  Parameters& parameters;  ///< #64..#68 are read by `parameter_value`; changed only when nothing can fail any more
+  ResultFlags& result;
   std::vector<geometry::PathItem>& out;
   Flow flow;
 
@@ -50,6 +53,9 @@ using Outcome = std::expected<void, language::Error>;
 /// F above F MAX (DEC-13): names the value and the limit.
 [[nodiscard]] std::unexpected<language::Error> feed_above_limit(geometry::SourceBlock source, std::int64_t feed,
                                                                 const Settings& settings);
+
+/// The modal F must be there and within F MAX (D-59, DEC-25: the lab machine's limit may be the smaller one).
+Outcome check_feed(const BlockRun& run);
 
 /// What a function does, besides its F, S, T and M words, which every block handles alike.
 using Handler = Outcome (*)(BlockRun&);
@@ -75,6 +81,14 @@ Outcome select_incremental(BlockRun& run);          // G91
 // Order of execution (execute_flow.cpp).
 Outcome jump(BlockRun& run);  // G20
 Outcome call(BlockRun& run);  // G22
+
+// Parametric functions (execute_parametric.cpp).
+Outcome assign_value(BlockRun& run);    // ↓00
+Outcome calculate(BlockRun& run);       // ↓01..↓04, ↓10..↓17
+Outcome jump_on_result(BlockRun& run);  // ↓50..↓54
+
+// Machining cycles (execute_cycle.cpp).
+Outcome execute_cycle(BlockRun& run);  // G81..G86
 
 // Events (execute_events.cpp).
 Outcome dwell(BlockRun& run);       // G04

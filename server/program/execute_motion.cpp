@@ -45,25 +45,43 @@ std::string in_mm(double value_mm) { return fmt::format("{:.3f}", value_mm); }
 /// Where the block leads.
 struct Target {
   Nanometres programmed_nm{};
+  std::array<std::int64_t, 3> unscaled_um{};
   geometry::Point path;
   bool has_axis_word = false;
 };
 
+/// Takes a word of one axis into the target. In a ROM program an absolute word counts from where the program would be
+/// without scale, so that its way is scaled and not its place: #55..#57 always lead back (DEC-51).
+void take_word(const BlockRun& run, std::size_t axis, std::int64_t word_um, Target& target) {
+  const ModalState& modal = run.state.modal;
+  const bool is_absolute = modal.dimension == Dimension::absolute;
+  if (language::is_reserved_for_cycles(run.source.program)) {
+    const std::int64_t way_um = is_absolute ? word_um - target.unscaled_um[axis] : word_um;
+    target.unscaled_um[axis] += way_um;
+    target.programmed_nm[axis] += way_um * modal.scale[axis];
+    return;
+  }
+  const std::int64_t scaled_nm = word_um * modal.scale[axis];
+  target.programmed_nm[axis] = is_absolute ? scaled_nm : target.programmed_nm[axis] + scaled_nm;
+}
+
 std::expected<Target, language::Error> target_of(const BlockRun& run) {
   const ExecutionState& state = run.state;
-  Target target{.programmed_nm = state.programmed_nm, .path = state.path, .has_axis_word = false};
+  Target target{.programmed_nm = state.programmed_nm,
+                .unscaled_um = state.unscaled_um,
+                .path = state.path,
+                .has_axis_word = false};
   for (std::size_t axis = 0; axis < kAxisWords.size(); ++axis) {
     const language::Word* word = run.block.find(kAxisWords[axis]);
     if (word == nullptr) continue;
     target.has_axis_word = true;
-    const std::int64_t scaled_nm = word->number * state.modal.scale[axis];
+    take_word(run, axis, word->number, target);
     const std::int64_t before_nm = state.programmed_nm[axis];
-    const std::int64_t after_nm = state.modal.dimension == Dimension::absolute ? scaled_nm : before_nm + scaled_nm;
+    const std::int64_t after_nm = target.programmed_nm[axis];
     const std::int64_t path_nm = after_nm + state.offset_nm[axis];
     if (std::max(std::abs(after_nm), std::abs(path_nm)) > kFarthest_nm)
       return error_at(ErrorCode::word_out_of_range, run.source, language::letter(kAxisWords[axis]),
                       in_mm(static_cast<double>(after_nm) / kNanometresPerMm));
-    target.programmed_nm[axis] = after_nm;
     if (after_nm != before_nm) target.path.*kPathAxes[axis] = static_cast<double>(path_nm) / kNanometresPerMm;
   }
   return target;
@@ -71,15 +89,8 @@ std::expected<Target, language::Error> target_of(const BlockRun& run) {
 
 void arrive(BlockRun& run, const Target& target) {
   run.state.programmed_nm = target.programmed_nm;
+  run.state.unscaled_um = target.unscaled_um;
   run.state.path = target.path;
-}
-
-/// The modal F must be there and within F MAX (D-59, DEC-25: the lab machine's limit may be the smaller one).
-Outcome check_feed(const BlockRun& run) {
-  const int feed = run.state.modal.feed_mm_per_min;
-  if (feed <= 0) return error_at(ErrorCode::feed_missing, run.source, 'F');
-  if (feed > run.settings.f_max_mm_per_min) return feed_above_limit(run.source, feed, run.settings);
-  return {};
 }
 
 /// An odd number of mirrored axes in the plane turns the sense round (G-751, EX-108).
@@ -135,6 +146,13 @@ Outcome execute_way(BlockRun& run, const Target& target, double feed_mm_per_min,
 }
 
 }  // namespace
+
+Outcome check_feed(const BlockRun& run) {
+  const int feed = run.state.modal.feed_mm_per_min;
+  if (feed <= 0) return error_at(ErrorCode::feed_missing, run.source, 'F');
+  if (feed > run.settings.f_max_mm_per_min) return feed_above_limit(run.source, feed, run.settings);
+  return {};
+}
 
 Outcome execute_rapid(BlockRun& run) {
   const auto target = target_of(run);

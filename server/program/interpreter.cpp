@@ -133,10 +133,13 @@ std::expected<ExecutedBlock, language::Error> Interpreter::execute_block(std::ve
                            .passes_single_block = is_hidden_subprogram,
                            .override_off = state_.modal.potentiometer_off},
                .state = state_,
+               .parameters = parameters_,
+               .result = result_,
                .out = out,
                .flow = {}};
   const std::size_t items_before = out.size();
-  if (Outcome outcome = execute_words(run); !outcome) return std::unexpected(outcome.error());
+  if (Outcome outcome = execute_words(run); !outcome)
+    return std::unexpected(naming_parameter(std::move(outcome.error()), stored));
   ended_ = go_on(run.flow);
   if (ended_) append_end(run);
   if (out.size() == items_before) run.emit(geometry::Mark{});
@@ -161,7 +164,7 @@ std::expected<std::optional<language::Block>, language::Error> Interpreter::prep
   if (with_values && is_dwell_of_nothing(*with_values)) return with_values;  // DEC-53
   if (Outcome outcome = check_words(with_values ? *with_values : stored, source, state_.modal.plane, settings_);
       !outcome)
-    return std::unexpected(outcome.error());
+    return std::unexpected(naming_parameter(std::move(outcome.error()), stored));
   return with_values;
 }
 

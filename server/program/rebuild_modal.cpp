@@ -73,11 +73,18 @@ void take_compensation(int code, ModalState& modal) {
   }
 }
 
+/// What a cycle's ROM program leaves behind (CYC-007, D-82); it is a call, but one whose end is known.
+void take_cycle(int code, ModalState& modal) {
+  if (code >= 81 && code <= 86) modal.dimension = Dimension::incremental;
+  if (code == 81 || code == 82) modal.length_compensation = false;
+}
+
 void take_group(const language::Block& block, ModalState& modal) {
   if (block.function.kind != language::Function::Kind::g) return;
   take_plane_or_dimension(block.function.code, modal);
   take_compensation(block.function.code, modal);
   if (block.function.code == 75) take_scale(block, modal);
+  take_cycle(block.function.code, modal);
   if (block.function.code != 74) return;
   modal.scale_on = false;
   modal.scale = {1000, 1000, 1000};
