@@ -11,6 +11,7 @@
 #include <span>
 
 #include "program/rom_programs.hpp"
+#include "program/ways.hpp"
 #include "program/words.hpp"
 
 namespace cnclab::program {
@@ -46,28 +47,28 @@ std::int64_t as_parameter(const language::Word& word) {
   return word.number * (is_length ? kParameterUnit / 1000 : kParameterUnit);
 }
 
-std::string in_mm(std::int64_t um) { return fmt::format("{:.3f}", language::to_mm({um})); }
+std::string um_in_mm(std::int64_t um) { return in_mm(language::to_mm({um})); }
 
 std::unexpected<language::Error> wrong_value(const BlockRun& run, Address word, std::string expected) {
-  return error_at(ErrorCode::cycle_value_wrong, run.source, language::letter(word), in_mm(value_of(run.block, word, 0)),
-                  std::move(expected));
+  return error_at(ErrorCode::cycle_value_wrong, run.source, language::letter(word),
+                  um_in_mm(value_of(run.block, word, 0)), std::move(expected));
 }
 
 /// G84: the slot is at least as long as the cutter is wide; the other word is 0 (CYC-084, DEC-53).
 Outcome check_slot(const BlockRun& run, std::int64_t diameter_um) {
   const Address along = value_of(run.block, Address::X, 0) != 0 ? Address::X : Address::Y;
   if (value_of(run.block, along, 0) >= diameter_um) return {};
-  return wrong_value(run, along, fmt::format("2R = {} <= {}", in_mm(diameter_um), language::letter(along)));
+  return wrong_value(run, along, fmt::format("2R = {} <= {}", um_in_mm(diameter_um), language::letter(along)));
 }
 
 /// G85: the pocket is wider than the cutter, and the cutter clears what the rows leave of 0.5 mm (CYC-090, D-85).
 Outcome check_pocket(const BlockRun& run, std::int64_t diameter_um) {
   constexpr std::int64_t kLeastDiameter_um = 1000;
   if (diameter_um <= kLeastDiameter_um)
-    return error_at(ErrorCode::cycle_value_wrong, run.source, 'T', "R " + in_mm(diameter_um / 2), "R > 0.500");
+    return error_at(ErrorCode::cycle_value_wrong, run.source, 'T', "R " + um_in_mm(diameter_um / 2), "R > 0.500");
   for (const Address side : {Address::X, Address::Y})
     if (value_of(run.block, side, 0) <= diameter_um)
-      return wrong_value(run, side, fmt::format("2R = {} < {}", in_mm(diameter_um), language::letter(side)));
+      return wrong_value(run, side, fmt::format("2R = {} < {}", um_in_mm(diameter_um), language::letter(side)));
   return {};
 }
 
@@ -95,10 +96,10 @@ Outcome check_range(const BlockRun& run) {
       return wrong_value(run, load.word, fmt::format("{} - V > -9999.500", language::letter(load.word)));
     if (is_side && size_um + farthest_um > language::kLargestWord_um)
       return wrong_value(run, load.word,
-                         fmt::format("{} + {} < 10000", in_mm(farthest_um), language::letter(load.word)));
+                         fmt::format("{} + {} < 10000", um_in_mm(farthest_um), language::letter(load.word)));
   }
   if (farthest_um <= language::kLargestWord_um) return {};
-  return error_at(ErrorCode::word_out_of_range, run.source, 0, in_mm(farthest_um), "-9999.999..9999.999");
+  return error_at(ErrorCode::word_out_of_range, run.source, 0, um_in_mm(farthest_um), "-9999.999..9999.999");
 }
 
 /// ROM-03: whatever could stop the program in the middle stops it before the first block. What a word must be by

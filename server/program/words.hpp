@@ -22,7 +22,7 @@ namespace cnclab::program {
 /// An error about a word that a parameter gave: what was found now names the parameter too, "#04 = 9000.000".
 [[nodiscard]] language::Error naming_parameter(language::Error error, const language::Block& stored);
 
-/// G04 whose H came out as 0: no dwell, and no error either (DEC-53).
+/// G04, G64 whose H came out as 0: no dwell, and no error either (DEC-53).
 [[nodiscard]] bool is_dwell_of_nothing(const language::Block& block);
 
 /// Form, plane and limits of a block about to be executed.

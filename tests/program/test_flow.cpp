@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "program/check_programs.hpp"
+#include "program/functions.hpp"
 #include "program/rebuild_modal.hpp"
 #include "run_text.hpp"
 
@@ -188,33 +189,47 @@ TEST(FlowEnd, AnErrorLeavesTheStateBeforeTheBlock) {
   EXPECT_EQ(interpreter->step(items).error(), first.error());
 }
 
-struct UnsupportedRow {
+struct UnknownRow {
   const char* name;
   const char* text;
   const char* detail;
   int block;
 };
 
-class Unsupported : public testing::TestWithParam<UnsupportedRow> {};
+class UnknownFunctions : public testing::TestWithParam<UnknownRow> {};
 
-TEST_P(Unsupported, IsSaidBeforeAnythingMoves) {
-  const RunResult run = run_text(GetParam().text);
-  ASSERT_EQ(run.code(), ErrorCode::not_in_this_version);
+/// Without the functions that the manual marks as planned (BLK-200, DEC-08).
+RunResult run_without_planned(const char* text) {
+  Settings settings = wide_settings();
+  settings.vocabulary.planned_functions = false;
+  return run_text(text, 1000, {}, settings);
+}
+
+TEST_P(UnknownFunctions, AreSaidBeforeAnythingMoves) {
+  const RunResult run = run_without_planned(GetParam().text);
+  ASSERT_EQ(run.code(), ErrorCode::function_unknown);
   EXPECT_EQ(run.error->detail, GetParam().detail);
   EXPECT_EQ(run.error->block, GetParam().block);
   EXPECT_THAT(run.items, IsEmpty());
 }
 
-INSTANTIATE_TEST_SUITE_P(, Unsupported,
-                         testing::Values(UnsupportedRow{"radius_compensation", "P0001N001G00X+1000N002G41%", "G41", 2},
-                                         UnsupportedRow{"in_a_called_program",
-                                                        "P0001N001G22P0002N001W00\nP0002N001G17N007G69X+1000%", "G69",
-                                                        7}),
-                         [](const auto& row) { return std::string(row.param.name); });
+INSTANTIATE_TEST_SUITE_P(
+    , UnknownFunctions,
+    testing::Values(UnknownRow{"in_a_called_program", "P0001N001G22P0002N001W00\nP0002N001G17N007G81Z-5000V002H0010%",
+                               "G81", 7},
+                    UnknownRow{"parametric_function", "P0001N001G00X+1000N002\\15#01#02%", "↓15", 2},
+                    UnknownRow{"rounding", "P0001N001G00X+1000N002G10R+1000%", "G10", 2}),
+    [](const auto& row) { return std::string(row.param.name); });
 
-TEST(UnsupportedReach, BlocksThatCannotBeReachedDoNotMatter) {
-  EXPECT_FALSE(run_text("P0001N001G20P0001N003N002G41N003G17%").error);
-  EXPECT_FALSE(run_text("P0001N001G11M02N002G41%").error);
+TEST(UnknownReach, BlocksThatCannotBeReachedDoNotMatter) {
+  EXPECT_FALSE(run_without_planned("P0001N001G20P0001N003N002G81Z-5000V002H0010N003G17%").error);
+  EXPECT_FALSE(run_without_planned("P0001N001G11M02N002G81Z-5000V002H0010%").error);
+}
+
+TEST(Functions, ThatCanBeKeyedInCanBeExecuted_BLK201) {
+  for (const language::BlockForm& form : language::all_forms())
+    EXPECT_EQ(handler_of(form.function) == nullptr, form.function.kind == language::Function::Kind::tool)
+        << int{form.function.code};
 }
 
 TEST(RebuildModal, TakesGroupsAndWordsBeforeTheStartBlock_DEC26) {
@@ -223,7 +238,7 @@ TEST(RebuildModal, TakesGroupsAndWordsBeforeTheStartBlock_DEC26) {
       "N008G11M24N009G91N010G11F0100M20%");
   ModalState before;
   before.coolant = true;
-  const ModalState modal = rebuild_modal(*programs.find(1), 9, before);
+  const ModalState modal = rebuild_modal(programs, *programs.find(1), 9, before);
   EXPECT_EQ(modal.feed_mm_per_min, 800);
   EXPECT_EQ(modal.spindle_rpm, 900);
   EXPECT_EQ(modal.tool, 3);
@@ -233,21 +248,22 @@ TEST(RebuildModal, TakesGroupsAndWordsBeforeTheStartBlock_DEC26) {
   EXPECT_TRUE(modal.test_run);
   EXPECT_EQ(modal.spindle, geometry::SpindleTurn::off) << "nothing is switched";
   EXPECT_TRUE(modal.coolant);
-  EXPECT_EQ(rebuild_modal(*programs.find(1), 1, before), before);
-  EXPECT_FALSE(rebuild_modal(*programs.find(1), 999, before).test_run);
+  EXPECT_EQ(rebuild_modal(programs, *programs.find(1), 1, before), before);
+  EXPECT_FALSE(rebuild_modal(programs, *programs.find(1), 999, before).test_run);
 }
 
 TEST(RebuildModal, TakesTheScale_DEC26) {
   const ProgramSet programs = programs_of("P0001N001G75X-1000N002G22P0002N001W00N003G74N004G17%\nP0002N001G17%");
-  const ModalState scaled = rebuild_modal(*programs.find(1), 2, {});
+  const ModalState scaled = rebuild_modal(programs, *programs.find(1), 2, {});
   EXPECT_TRUE(scaled.scale_on);
   EXPECT_EQ(scaled.scale, (std::array<std::int64_t, 3>{-1000, 1000, 1000}));
-  EXPECT_EQ(rebuild_modal(*programs.find(1), 4, {}), ModalState{});
+  EXPECT_EQ(rebuild_modal(programs, *programs.find(1), 4, {}), ModalState{});
 }
 
 TEST(CheckPrograms, FindsEveryFaultOfEveryProgram) {
-  const ProgramSet programs =
-      programs_of("P0001N001G00N002G20P0007N001N003G22P0002N009W00N004G01X+600000\nP0002N001G11F4000N002G41N003G17%");
+  const ProgramSet programs = programs_of(
+      "P0001N001G00N002G20P0007N001N003G22P0002N009W00N004G01X+600000\nP0002N001G11F4000N002G81Z+"
+      "5000V002H0010N003G17%");
   std::string found;
   for (const language::Error& error : check_blocks(programs, Settings{}))
     found += language::place_of(error) + " " + std::to_string(static_cast<int>(error.code)) + "\n";
@@ -257,13 +273,13 @@ TEST(CheckPrograms, FindsEveryFaultOfEveryProgram) {
   EXPECT_EQ(found, line("P0001 N001", ErrorCode::word_missing) + line("P0001 N002", ErrorCode::program_missing) +
                        line("P0001 N003", ErrorCode::block_missing) + line("P0001 N004", ErrorCode::word_out_of_range) +
                        line("P0002 N001", ErrorCode::feed_above_limit) +
-                       line("P0002 N002", ErrorCode::not_in_this_version));
+                       line("P0002 N002", ErrorCode::cycle_value_wrong));
 }
 
 TEST(CheckPrograms, DryRunFindsWhatOnlyExecutionShows) {
   const auto dry = [](std::string_view text) { return dry_run(programs_of(text), wide_settings(), {}, 100'000); };
-  EXPECT_EQ(dry("P0001N001G01X+1000%")->code, ErrorCode::feed_missing);
-  EXPECT_FALSE(dry("P0001N001G01X+1000F0100N002G20P0001N001%")) << "a loop is no fault";
+  EXPECT_EQ(dry("P0001N001G01X+1000%").at(0).code, ErrorCode::feed_missing);
+  EXPECT_THAT(dry("P0001N001G01X+1000F0100N002G20P0001N001%"), IsEmpty()) << "a loop is no fault";
 }
 
 TEST(CheckPrograms, StartProgramsAreThoseThatNobodyCalls) {

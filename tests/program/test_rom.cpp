@@ -288,10 +288,10 @@ TEST(CheckCycles, FindsWrongValuesAndNothingElse_D89) {
 
 TEST(CheckCycles, DryRunFindsWhatTheCutterDecides_D85) {
   const ProgramSet programs = programs_of("P0000T001R+20000L+0\nP0001N001G11F0100T01N002G85X+40000Y+90000Z-5Q-5V001%");
-  const auto error = dry_run(programs, wide_settings(), {}, 100);
-  ASSERT_TRUE(error);
-  EXPECT_EQ(error->code, ErrorCode::cycle_value_wrong);
-  EXPECT_EQ(language::place_of(*error), "P0001 N002");
+  const std::vector<language::Error> errors = dry_run(programs, wide_settings(), {}, 100);
+  ASSERT_EQ(errors.size(), 1u);
+  EXPECT_EQ(errors.front().code, ErrorCode::cycle_value_wrong);
+  EXPECT_EQ(language::place_of(errors.front()), "P0001 N002");
 }
 
 }  // namespace
