@@ -58,7 +58,7 @@ std::unexpected<language::Error> wrong_value(const BlockRun& run, Address word, 
 Outcome check_slot(const BlockRun& run, std::int64_t diameter_um) {
   const Address along = value_of(run.block, Address::X, 0) != 0 ? Address::X : Address::Y;
   if (value_of(run.block, along, 0) >= diameter_um) return {};
-  return wrong_value(run, along, fmt::format("2R = {} <= {}", um_in_mm(diameter_um), language::letter(along)));
+  return wrong_value(run, along, fmt::format("{} >= {} (2R)", language::letter(along), um_in_mm(diameter_um)));
 }
 
 /// G85: the pocket is wider than the cutter, and the cutter clears what the rows leave of 0.5 mm (CYC-090, D-85).
@@ -68,7 +68,7 @@ Outcome check_pocket(const BlockRun& run, std::int64_t diameter_um) {
     return error_at(ErrorCode::cycle_value_wrong, run.source, 'T', "R " + um_in_mm(diameter_um / 2), "R > 0.500");
   for (const Address side : {Address::X, Address::Y})
     if (value_of(run.block, side, 0) <= diameter_um)
-      return wrong_value(run, side, fmt::format("2R = {} < {}", um_in_mm(diameter_um), language::letter(side)));
+      return wrong_value(run, side, fmt::format("{} > {} (2R)", language::letter(side), um_in_mm(diameter_um)));
   return {};
 }
 

@@ -78,6 +78,15 @@ INSTANTIATE_TEST_SUITE_P(
                 Texts{"N103 rapid -0.2 -10 2", "N106 rapid -0.2 -10 0.5", "N112 feed -0.2 -10 -5",
                       "N113 feed 0.2 -10 -5", "N114 feed 0.2 10 -5", "N117 feed -0.2 10 -5", "N118 feed -0.2 -10 -5",
                       "N151 rapid -0.2 -10 2", "N157 rapid 0 0 2"}},
+        // Exactly 1 mm of frame: the frame clears it (DEC-53).
+        StepRow{"DEC53_G85_frame_of_1_mm_in_X", "G85X+11000Y+30000Z-5000Q-5000V002", 2,
+                Texts{"N103 rapid -0.5 -10 2", "N106 rapid -0.5 -10 0.5", "N112 feed -0.5 -10 -5",
+                      "N113 feed 0.5 -10 -5", "N114 feed 0.5 10 -5", "N117 feed -0.5 10 -5", "N118 feed -0.5 -10 -5",
+                      "N151 rapid -0.5 -10 2", "N157 rapid 0 0 2"}},
+        StepRow{"DEC53_G85_frame_of_1_mm_in_Y", "G85X+30000Y+11000Z-5000Q-5000V002", 2,
+                Texts{"N103 rapid -10 -0.5 2", "N106 rapid -10 -0.5 0.5", "N112 feed -10 -0.5 -5",
+                      "N113 feed 10 -0.5 -5", "N114 feed 10 0.5 -5", "N117 feed -10 0.5 -5", "N118 feed -10 -0.5 -5",
+                      "N151 rapid -10 -0.5 2", "N157 rapid 0 0 2"}},
         StepRow{"CYC086_DEC03_G86", "G86R+25000D000W04Z-10000Q-4000V002H0005", 2,
                 Texts{"N109 rapid 25 0 2",     "N121 rapid 25 0 0.5",   "N124 feed 25 0 -4",     "N126 rapid 25 0 2",
                       "N121 rapid 25 0 -3.5",  "N124 feed 25 0 -8",     "N126 rapid 25 0 2",     "N121 rapid 25 0 -7.5",
@@ -154,7 +163,7 @@ TEST(CycleRefusal, SayWhichParameterWasWrong) {
   const RunResult run = run_cycle("G84X#01Y+0Z-5000Q-1000V002", start);
   ASSERT_EQ(run.code(), kWrong);
   EXPECT_EQ(run.error->detail, "#01 = 9.000");
-  EXPECT_EQ(run.error->expected, "2R = 10.000 <= X");
+  EXPECT_EQ(run.error->expected, "X >= 10.000 (2R)");
 }
 
 TEST(CycleRefusal, OfAToolThatIsNotThere_D85) {
