@@ -102,12 +102,20 @@ Outcome check_range(const BlockRun& run) {
   return error_at(ErrorCode::word_out_of_range, run.source, 0, um_in_mm(farthest_um), "-9999.999..9999.999");
 }
 
+/// The cutter must stand where the program says: G40 alone does not move it, the next way in the plane does (G-400).
+Outcome check_radius_compensation(const BlockRun& run) {
+  const auto [first, second] = indices_of(run.state.modal.plane).in_plane;
+  const bool is_on = run.state.modal.radius != RadiusCompensation::off;
+  const bool is_still_beside = (run.state.shifted_axes & (axis_bit(first) | axis_bit(second))) != 0;
+  if (!is_on && !is_still_beside) return {};
+  return error_at(ErrorCode::compensation_impossible, run.source, 'G', fmt::format("G{:02}", run.block.function.code),
+                  is_on ? "G40" : "G00, G01");
+}
+
 /// ROM-03: whatever could stop the program in the middle stops it before the first block. What a word must be by
 /// itself (Z < 0, Q < 0, …) has been checked with the block's form.
 Outcome check_before(const BlockRun& run) {
-  if (run.state.modal.radius != RadiusCompensation::off)
-    return error_at(ErrorCode::compensation_impossible, run.source, 'G', fmt::format("G{:02}", run.block.function.code),
-                    "G40");
+  if (Outcome radius = check_radius_compensation(run); !radius) return radius;
   if (Outcome feed = check_feed(run); !feed) return feed;
   if (Outcome cutter = check_cutter(run); !cutter) return cutter;
   return check_range(run);

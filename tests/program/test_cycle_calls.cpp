@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "cycle_run.hpp"
+#include "program/path_source.hpp"
 #include "program/rebuild_modal.hpp"
 
 namespace cnclab::program {
@@ -177,6 +178,17 @@ TEST(CycleModes, TestRunKeepsTheWays_G041) {
   start.modal.test_run = true;
   EXPECT_EQ(texts_of(cycle_steps(run_cycle("G83Z-12000V003H0010", start), start)),
             (Texts{"N101 rapid 0 0 0.5", "N102 feed 0 0 -12", "N103 off", "N107 feed 0 0 3", "N108 off"}));
+}
+
+/// With G46 the tool's end does what the words say, until N124 (D-82): a tool 3 mm short goes 3 mm further down.
+TEST(CycleModes, DrillWithLengthCompensation_D82) {
+  const ProgramSet programs = programs_of("P0000T001R+5000L-3000\nP0001N001G46N002G81Z-10000V002H0000%");
+  auto source = PathSource::begin(programs, wide_settings(), start_at(0, 0, 2));
+  ASSERT_TRUE(source);
+  std::vector<geometry::PathItem> items;
+  while (!source->ended()) ASSERT_TRUE(source->step(items));
+  EXPECT_EQ(texts_of(steps_of(items, {0, 0, 2'000'000})),
+            (Texts{"N101 rapid 0 0 -2.5", "N121 feed 0 0 -13", "N125 rapid 0 0 2"}));
 }
 
 /// The two examples of ROM-05, which scaled places would lead astray.

@@ -203,5 +203,14 @@ TEST(CycleRefusal, OfMissingFeedAndOfCompensation_DEC53) {
   }
 }
 
+TEST(CycleRefusal, OfACutterThatHasNotLeftItsContour_DEC53) {
+  const std::string contour =
+      "P0000T001R+5000L+0\nP0001N001G11F0300T01N002G41N003G01X+20000N004G01X+20000Y+20000N005G40";
+  const RunResult beside = run_text(contour + "N006G81Z-1000V001H0000%");
+  ASSERT_EQ(beside.code(), ErrorCode::compensation_impossible);
+  EXPECT_EQ(beside.error->block, 6);
+  EXPECT_FALSE(run_text(contour + "N006G00X+1000Y+1000N007G81Z-1000V001H0000%").error);
+}
+
 }  // namespace
 }  // namespace cnclab::program
