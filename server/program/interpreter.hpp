@@ -70,6 +70,9 @@ struct ExecutionState {
   Nanometres programmed_nm{};       ///< Sollwert as the operator reads it
   Nanometres offset_nm{};           ///< path coordinate minus Sollwert: what G68 has renamed since START
   std::int64_t fourth_axis_nm = 0;  ///< U, path coordinate (G12; no Istwert of its own, D-62)
+  /// X, Y, Z in µm as the running ROM program would have them without scale factors (DEC-51); set by each cycle,
+  /// without meaning outside.
+  std::array<std::int64_t, 3> unscaled_um{};
   geometry::Point path;      ///< end of the path so far; an axis that does not move keeps its value to the last bit
   AxisSet shifted_axes = 0;  ///< axes whose path may lie beside this one: compensation has moved them (D-75)
   bool is_contour_shifted = false;  ///< by G41, G42, which is left with both axes at once; else axis by axis
@@ -140,6 +143,7 @@ class Interpreter {
   Settings settings_;
   std::optional<bool> input_answer_;  ///< for the next block
   Parameters parameters_{};
+  ResultFlags result_;  ///< all cleared at START (D-92)
   ExecutionState state_;
   CheckedBlocks checked_;
   std::vector<Frame> levels_;
