@@ -70,9 +70,10 @@ struct ExecutionState {
   Nanometres programmed_nm{};       ///< Sollwert as the operator reads it
   Nanometres offset_nm{};           ///< path coordinate minus Sollwert: what G68 has renamed since START
   std::int64_t fourth_axis_nm = 0;  ///< U, path coordinate (G12; no Istwert of its own, D-62)
-  geometry::Point path;      ///< end of the path so far; an axis that does not move keeps its value to the last bit
-  AxisSet shifted_axes = 0;  ///< axes whose path may lie beside this one: compensation has moved them (D-75)
-  bool is_contour_shifted = false;  ///< by G41, G42, which is left with both axes at once; else axis by axis
+  geometry::Point path;  ///< end of the path so far; an axis that does not move keeps its value to the last bit
+  /// Axes whose path may lie beside this one, because compensation has moved them and they have yet to be led back:
+  /// each with a way of its own (G43, G44, G46), or both of a plane together (G41, G42).
+  AxisSet shifted_axes = 0, contour_axes = 0;
 };
 
 /// One level of calls: level 0 is the main program.
