@@ -69,6 +69,7 @@ class ChannelTick {
   // channel_run.cpp: the program's path and events
   void run_tick(double tick_s, const motion::Demand& demand) noexcept;
   [[nodiscard]] bool wait_tick(double tick_s) noexcept;
+  [[nodiscard]] bool is_void(const motion::Segment& event) const noexcept;
   [[nodiscard]] bool execute(const motion::Segment& event) noexcept;
   void pass_event() noexcept;
   void note_block_start() noexcept;

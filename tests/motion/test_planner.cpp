@@ -59,20 +59,54 @@ TEST(Planner, WindowFullChangesNothing) {
 }
 
 TEST(Planner, LooksAheadOverTheWholeWindow) {
-  // 65 536 ways of 2 µm are 131 mm; with RAMPE 1 the braking way from F MAX is longer than that.
+  // 65 535 ways of 2 µm are 131 mm; with RAMPE 1 the braking way from F MAX is longer than that.
   Limits limits;
   limits.acceleration_mm_per_s2 = 100.0 / 60;  // RAMPE 1
   SegmentQueue queue;
   Planner planner(queue, limits);
-  for (std::size_t i = 0; i < SegmentQueue::kWindow; ++i) {
+  for (std::size_t i = 0; i + 1 < SegmentQueue::kWindow; ++i) {
     ASSERT_TRUE(planner.append(
         line({static_cast<double>(i) * 0.002, 0, 0, 0}, {static_cast<double>(i + 1) * 0.002, 0, 0, 0}, 3000)));
   }
+  ASSERT_TRUE(planner.append(item_of(geometry::End{})));
   planner.plan();
-  for (const std::size_t i : {0UL, 1000UL, 30'000UL, 65'000UL, 65'534UL}) {
-    const double rest = static_cast<double>(65'535 - i) * 0.002;
+  for (const std::size_t i : {0UL, 1000UL, 30'000UL, 65'000UL, 65'533UL}) {
+    const double rest = static_cast<double>(65'534 - i) * 0.002;
     EXPECT_NEAR(queue.exit_speed(i), std::min(50.0, std::sqrt(25 + 2 * limits.acceleration_mm_per_s2 * rest)), 1e-6)
         << i;
+  }
+}
+
+TEST(Planner, UnknownEndIsApproachedAsIfTheNextJointWereAtRest) {
+  const Limits limits;
+  SegmentQueue queue;
+  Planner planner(queue, limits);
+  ASSERT_TRUE(planner.append(line({}, {1, 0, 0, 0}, 3000)));
+  ASSERT_TRUE(planner.append(line({1, 0, 0, 0}, {1.01, 0, 0, 0}, 3000)));
+  planner.plan();
+  const double ramp = 2 * limits.acceleration_mm_per_s2;
+  EXPECT_NEAR(queue.exit_speed(0), std::sqrt(ramp * 0.01), 1e-9) << "whatever follows can still be met on the ramp";
+  ASSERT_TRUE(planner.append(line({1.01, 0, 0, 0}, {0, 0, 0, 0}, 3000)));
+  planner.plan();
+  EXPECT_NEAR(queue.exit_speed(1), 2.5, 1e-9) << "straight back: half of F START/STOP";
+  EXPECT_NEAR(queue.exit_speed(0), std::sqrt(2.5 * 2.5 + ramp * 0.01), 1e-9);
+  ASSERT_TRUE(planner.append(item_of(geometry::Dwell{1})));
+  planner.plan();
+  EXPECT_EQ(queue.exit_speed(2), 0);
+  EXPECT_NEAR(queue.exit_speed(1), 2.5, 1e-9);
+}
+
+TEST(Planner, FullStopIsReachedWithUpToStartStopOnceItIsKnown) {
+  const Limits limits;
+  for (const bool at_once : {true, false}) {
+    SegmentQueue queue;
+    Planner planner(queue, limits);
+    ASSERT_TRUE(planner.append(line({}, {1, 0, 0, 0}, 3000)));
+    ASSERT_TRUE(planner.append(line({1, 0, 0, 0}, {1.01, 0, 0, 0}, 3000)));
+    if (!at_once) planner.plan();
+    ASSERT_TRUE(planner.append(item_of(geometry::End{})));
+    planner.plan();
+    EXPECT_NEAR(queue.exit_speed(0), std::sqrt(25 + 2 * limits.acceleration_mm_per_s2 * 0.01), 1e-9) << at_once;
   }
 }
 
