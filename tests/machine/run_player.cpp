@@ -50,6 +50,12 @@ void RunPlayer::order(const Command& command, Doing begins) {
   due_ = begins;
 }
 
+/// A stop; what was ordered in the same tick before it must not begin any more (AUTH-006).
+void RunPlayer::must_rest() {
+  must_rest_ = true;
+  is_overtaken_ = is_overtaken_ || ordered_;
+}
+
 void RunPlayer::end_lease() {
   has_lease_ = false;
   must_rest();
@@ -120,6 +126,7 @@ void RunPlayer::note_orders(const Snapshot& before, const Snapshot& now) {
   const bool is_taken = now.refused + now.dropped == before.refused + before.dropped;
   if (due_ != Doing::nothing && is_taken) {
     if (!has_lease_) played_.broken = "an order was taken without a lease";
+    if (is_overtaken_) played_.broken = "an order was taken that is older than a stop";
     if (due_ == Doing::run && !has_run_) played_.broken = "START of a run that there is not";
     doing_ = due_;
     must_rest_ = false;
@@ -130,7 +137,7 @@ void RunPlayer::note_orders(const Snapshot& before, const Snapshot& now) {
     has_run_ = true;
   }
   due_ = Doing::nothing;
-  begin_due_ = ordered_ = false;
+  begin_due_ = ordered_ = is_overtaken_ = false;
 }
 
 void RunPlayer::tick() {
@@ -179,11 +186,14 @@ void RunPlayer::guard_progress(const Snapshot& before, const Snapshot& now) {
   if (stuck_ticks_ > kMostStuckTicks && played_.broken.empty()) played_.broken = "the path hangs";
 }
 
+/// Everything on that START needs; the potentiometer stays where it is unless that would take too long.
 void RunPlayer::release_all() {
-  for (const auto kind : {Action::Kind::release_halt, Action::Kind::power_on, Action::Kind::potentiometer,
-                          Action::Kind::single_block, Action::Kind::input}) {
-    perform({kind, 0, kind == Action::Kind::potentiometer ? 100 : kind == Action::Kind::input ? 1 : 0});
-  }
+  constexpr double kSlowest = 0.1;
+  perform({Action::Kind::release_halt, 0, 0});
+  perform({Action::Kind::power_on, 0, 0});
+  perform({Action::Kind::single_block, 0, 0});
+  perform({Action::Kind::input, 0, 1});
+  if (ratio_ < kSlowest) perform({Action::Kind::potentiometer, 0, 100});
 }
 
 /// A run that was lost is begun anew, on a machine that is well again.

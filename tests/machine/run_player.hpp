@@ -27,7 +27,7 @@ class RunPlayer {
   void perform(const Action& action);
   void order(const Command& command, Doing begins);
   void end_lease();
-  void must_rest() { must_rest_ = true; }
+  void must_rest();
   void tick();
   void conclude_tick(const Snapshot& before, const Snapshot& now);
   void note_orders(const Snapshot& before, const Snapshot& now);
@@ -48,7 +48,7 @@ class RunPlayer {
   std::int64_t now_ns_ = 0, expiry_ns_ = kNeverExpires;
   std::uint64_t epoch_ = 1;
   bool has_lease_ = true, must_rest_ = false, has_run_ = false, begin_due_ = false, was_fault_ = false;
-  bool cut_ = false, ordered_ = false;
+  bool cut_ = false, ordered_ = false, is_overtaken_ = false;
   Doing doing_ = Doing::nothing, due_ = Doing::nothing;
   double ratio_ = 1;
   std::size_t fed_ = 0;

@@ -83,8 +83,10 @@ rc::Gen<Action> an_action() {
                                                     {1, Kind::input},
                                                     {4, Kind::begin_again},
                                                     {1, Kind::feed}});
-  return rc::gen::build<Action>(rc::gen::set(&Action::kind, kind), rc::gen::set(&Action::after, decades(1, 700)),
-                                rc::gen::set(&Action::value, number(0, 10'000)));
+  return rc::gen::build<Action>(
+      rc::gen::set(&Action::kind, kind),
+      rc::gen::set(&Action::after, rc::gen::map(decades(1, 700), [](int n) { return n - 1; })),
+      rc::gen::set(&Action::value, number(0, 10'000)));
 }
 
 rc::Gen<Setup> a_setup() {
