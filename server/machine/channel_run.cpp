@@ -182,7 +182,10 @@ bool ChannelTick::execute(const motion::Segment& event) noexcept {
                           come_to_rest(StopCause::program_end);
                           return false;
                         },
-                        [](const geometry::ToolChange&) { return true; },
+                        [&](const geometry::ToolChange& tool) {
+                          tool_ = {tool.radius_mm, tool.length_mm};
+                          return true;
+                        },
                         [](const geometry::Mark&) { return true; },
                         [](const geometry::RadiusOffset&) { return true; },
                         [](const geometry::LengthOffset&) { return true; },
