@@ -1,9 +1,9 @@
 // The keys of AUTOMAT, and how a run's end comes back to the operator.
 #include "panel/automat_mode.hpp"
 
-#include <array>
 #include <utility>
 
+#include "panel/run_end.hpp"
 #include "program/rebuild_modal.hpp"
 
 namespace cnclab::panel {
@@ -100,43 +100,6 @@ void press_ready(AutomatMode& mode, ControlState& state, Effect effect) {
     case Effect::stop:
       return state.run.stop();
     default:
-      return;
-  }
-}
-
-constexpr std::string_view kAxes = "XYZU";
-
-void tell_limit_switch(ControlState& state) {
-  constexpr int kColumnsPerAxis = 16;  // D-118
-  const std::uint8_t axis = state.machine().limit_axis;
-  const std::size_t index = axis < kAxes.size() ? axis : 0;
-  state.message =
-      Message{std::string(text(Text::limit_switch, state.tongue())), static_cast<int>(index) * kColumnsPerAxis,
-              text(Text::said_limit_switch, state.tongue(), {kAxes.substr(index, 1)})};
-}
-
-/// Row 18 for a run that the machine or the lab broke off; the monitor keeps its lines.
-void tell_break(ControlState& state, machine::StopCause cause) {
-  switch (cause) {
-    case machine::StopCause::limit_switch:
-      return tell_limit_switch(state);
-    case machine::StopCause::power_off:
-      state.message.sentence = text(Text::said_power_off, state.tongue());
-      return;
-    case machine::StopCause::machine_halt:
-      state.message.sentence = text(Text::said_machine_halt, state.tongue());
-      return;
-    case machine::StopCause::lease_ended:
-    case machine::StopCause::lease_expired:
-      state.message.sentence = text(Text::said_lease, state.tongue());
-      return;
-    case machine::StopCause::none:
-    case machine::StopCause::operator_stop:
-    case machine::StopCause::program_end:
-    case machine::StopCause::programmed_halt:
-    case machine::StopCause::waiting_for_input:
-    case machine::StopCause::single_block:
-    case machine::StopCause::error:
       return;
   }
 }

@@ -115,8 +115,8 @@ class Control {
   /// The answer to the pending request; `error` is the sentence for row 18, empty when it is on disk.
   void store_done(const std::string& error);
 
-  /// To be called every 10 to 20 ms: feeds the run (at most 2 ms of work), follows the machine.
-  void poll(const Now& now);
+  /// To be called every 10 to 20 ms: feeds the run (at most 2 ms of work), follows the machine. Stores nothing.
+  Outcome poll(const Now& now);
 
   [[nodiscard]] Screen draw(const Now& now, const SideView& side) const;
   [[nodiscard]] Situation situation() const;

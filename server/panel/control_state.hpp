@@ -32,6 +32,7 @@ struct ControlState {
   Connection connection;
   int override_percent = 100;
   Run run;
+  geometry::SpindleTurn last_turn = geometry::SpindleTurn::clockwise;  ///< for the key FRÄSER (D-12)
 
   std::optional<machine::MachineData> applied_data;  ///< that the connected machine has been given
 
@@ -41,6 +42,8 @@ struct ControlState {
   std::string hint;  ///< why the last key was ignored; row 18 only
   std::optional<StoreRequest> storing;
   int beeps = 0;
+  Now now;                        ///< of the newest call
+  std::optional<Mode> next_mode;  ///< a mode asks for another one to be opened after this key or poll
 
   [[nodiscard]] language::Tongue tongue() const { return settings.tongue; }
   /// Monitor text and sentence of an error.

@@ -21,6 +21,7 @@ ActiveMode open_mode(Mode mode, ControlState& state) {
     case Mode::editor:
       return open_editor(state);
     case Mode::hand:
+      return open_hand(state);
     case Mode::hand_input:
     case Mode::teach_in:
     case Mode::external_data:
@@ -34,28 +35,50 @@ ActiveMode open_mode(Mode mode, ControlState& state) {
 }
 
 void close_mode(ActiveMode& mode, ControlState& state) {
-  if (auto* automat = std::get_if<AutomatMode>(&mode)) close(*automat, state);
+  std::visit(Overloaded{[&](auto& active)
+                          requires requires { close(active, state); }
+                        { close(active, state); },
+                        [](const auto&) {}},
+                        mode);
 }
 
 Mode mode_of(const ActiveMode& mode) {
   return std::visit(
-      Overloaded{[](const MenuMode&) { return Mode::menu; }, [](const EditorMode&) { return Mode::editor; },
-                 [](const AutomatMode&) { return Mode::automat; },
+      Overloaded{[](const MenuMode&) { return Mode::menu; }, [](const HandMode&) { return Mode::hand; },
+                 [](const AutomatMode&) { return Mode::automat; }, [](const EditorMode&) { return Mode::editor; },
                  [](const ComingMode& coming) { return coming.mode; }},
       mode);
 }
 
 Place place_of(const ActiveMode& mode, const ControlState& state) {
-  return std::visit(
-      Overloaded{[](const MenuMode&) { return Place::menu; }, [](const EditorMode& editor) { return place_of(editor); },
-                 [&](const AutomatMode& automat) { return place_of(automat, state); },
-                 [](const ComingMode& coming) { return place_of(coming); }},
-      mode);
+  return std::visit(Overloaded{[](const MenuMode&) { return Place::menu; },
+                               [&](const AutomatMode& automat) { return place_of(automat, state); },
+                               [](const auto& active) { return place_of(active); }},
+                    mode);
 }
 
 void press(ActiveMode& mode, ControlState& state, Effect effect, int figure) {
-  if (auto* editor = std::get_if<EditorMode>(&mode)) return press(*editor, state, effect, figure);
-  if (auto* automat = std::get_if<AutomatMode>(&mode)) return press(*automat, state, effect, figure);
+  std::visit(Overloaded{[&](auto& active)
+                          requires requires { press(active, state, effect, figure); }
+                        { press(active, state, effect, figure); },
+                        [](const auto&) {}},
+                        mode);
+}
+
+void follow(ActiveMode& mode, ControlState& state) {
+  std::visit(Overloaded{[&](auto& active)
+                          requires requires { follow(active, state); }
+                        { follow(active, state); },
+                        [](const auto&) {}},
+                        mode);
+}
+
+void stored(ActiveMode& mode, ControlState& state, const StoreRequest& request) {
+  std::visit(Overloaded{[&](auto& active)
+                          requires requires { stored(active, state, request); }
+                        { stored(active, state, request); },
+                        [](const auto&) {}},
+                        mode);
 }
 
 void draw(const ActiveMode& mode, const ControlState& state, Monitor& monitor) {
