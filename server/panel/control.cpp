@@ -32,8 +32,10 @@ bool stores_block(const StoreRequest& request) {
 std::string hint_for(Key key, Place place, const ActiveMode& mode, const Settings& settings) {
   const std::string_view label = label_of(key);
   const language::Tongue tongue = settings.tongue;
+  if (place == Place::input_rest) return text(Text::hint_rest, tongue, {label});
   if (place == Place::automat_running) return text(Text::hint_running, tongue, {label});
-  if (place == Place::automat_waiting) return text(Text::hint_waiting, tongue, {label});
+  if (place == Place::automat_waiting || place == Place::input_waiting)
+    return text(Text::hint_waiting, tongue, {label});
   if (is_start_state(place)) return text(Text::hint_moving, tongue, {label});
   if (place != Place::menu && is_opening(effect_of(Place::menu, key, settings.vocabulary)))
     return text(Text::hint_menu_first, tongue, {label});

@@ -2,9 +2,11 @@
 // that work on it; nothing here knows which of them is active.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
+#include "language/check_block.hpp"
 #include "language/error.hpp"
 #include "panel/control.hpp"
 #include "panel/run.hpp"
@@ -29,6 +31,7 @@ struct ControlState {
   machine::MachineData data;  ///< the student's own
   program::ModalState modal;
   program::Parameters parameters{};
+  std::array<double, 3> compensation_mm{};  ///< Istwert minus Sollwert that the last run has left (D-75)
   Connection connection;
   int override_percent = 100;
   Run run;
@@ -54,6 +57,10 @@ struct ControlState {
   [[nodiscard]] machine::MachineData effective_data() const;
   /// Gives the machine the data that hold now; false where it has others and does not stand still.
   [[nodiscard]] bool apply_data();
+  /// What EINGABE compares word values with (D-46, DEC-56).
+  [[nodiscard]] language::EntryLimits entry_limits() const;
+  /// Takes over what a run has left behind.
+  void take_over(const RunEnd& end);
   [[nodiscard]] language::Plane plane() const;      ///< of the modal state
   [[nodiscard]] machine::Snapshot machine() const;  ///< all at rest where none is connected
 };
@@ -63,5 +70,7 @@ struct ControlState {
 [[nodiscard]] std::string block_text(int number);
 [[nodiscard]] std::string program_word(int number);
 [[nodiscard]] std::string block_word(int number);
+/// "G01", "↓16".
+[[nodiscard]] std::string function_text(language::Function function);
 
 }  // namespace cnclab::panel

@@ -5,6 +5,7 @@
 
 #include "panel/motion_screen.hpp"
 #include "panel/run_end.hpp"
+#include "panel/start_check.hpp"
 
 namespace cnclab::panel {
 
@@ -24,14 +25,7 @@ void begin(HandDriving& driving, ControlState& state, ManualMotion::Kind kind) {
     state.hint = text(Text::said_no_direction, state.tongue());
     return;
   }
-  if (!state.connection.channel) {
-    state.hint = text(Text::said_no_machine, state.tongue());
-    return;
-  }
-  if (!state.apply_data()) {
-    state.hint = text(Text::said_not_at_rest, state.tongue());
-    return;
-  }
+  if (!may_move(state)) return;
   driving.motion.begin(state.connection, kind, driving.directions);
 }
 

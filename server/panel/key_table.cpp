@@ -100,6 +100,8 @@ constexpr std::array kRows{
     menu(Place::input_rest),
 
     stop(Place::input_running, Text::help_stop),
+    start(Place::input_waiting, Text::help_start),
+    stop(Place::input_waiting, Text::help_stop),
 
     digits(Place::teach_program),
     clear(Place::teach_program),

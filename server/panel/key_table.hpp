@@ -27,6 +27,7 @@ enum class Place : std::uint8_t {
   input_word,      ///< … on a word
   input_rest,      ///< stopped inside a block: its rest waits for START (KEY-024)
   input_running,   ///< START state
+  input_waiting,   ///< START state, an M function waits for an input: START ends the waiting (KEY-013)
   // TEACH IN
   teach_program,  ///< program number prompt
   teach_ready,    ///< STOP state, no word chosen
@@ -115,7 +116,8 @@ struct KeyRow {
 /// Is the place one of START state? (KEY-011)
 [[nodiscard]] constexpr bool is_start_state(Place place) {
   return place == Place::hand_moving || place == Place::hand_reference || place == Place::input_running ||
-         place == Place::teach_moving || place == Place::automat_running || place == Place::automat_waiting;
+         place == Place::input_waiting || place == Place::teach_moving || place == Place::automat_running ||
+         place == Place::automat_waiting;
 }
 
 }  // namespace cnclab::panel

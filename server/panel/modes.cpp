@@ -23,6 +23,7 @@ ActiveMode open_mode(Mode mode, ControlState& state) {
     case Mode::hand:
       return open_hand(state);
     case Mode::hand_input:
+      return open_hand_input(state);
     case Mode::teach_in:
     case Mode::external_data:
     case Mode::graphics:
@@ -45,6 +46,7 @@ void close_mode(ActiveMode& mode, ControlState& state) {
 Mode mode_of(const ActiveMode& mode) {
   return std::visit(
       Overloaded{[](const MenuMode&) { return Mode::menu; }, [](const HandMode&) { return Mode::hand; },
+                 [](const HandInputMode&) { return Mode::hand_input; },
                  [](const AutomatMode&) { return Mode::automat; }, [](const EditorMode&) { return Mode::editor; },
                  [](const ComingMode& coming) { return coming.mode; }},
       mode);
@@ -52,6 +54,7 @@ Mode mode_of(const ActiveMode& mode) {
 
 Place place_of(const ActiveMode& mode, const ControlState& state) {
   return std::visit(Overloaded{[](const MenuMode&) { return Place::menu; },
+                               [&](const HandInputMode& input) { return place_of(input, state); },
                                [&](const AutomatMode& automat) { return place_of(automat, state); },
                                [](const auto& active) { return place_of(active); }},
                     mode);

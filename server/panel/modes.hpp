@@ -7,12 +7,13 @@
 #include "panel/automat_mode.hpp"
 #include "panel/coming_mode.hpp"
 #include "panel/editor_mode.hpp"
+#include "panel/hand_input_mode.hpp"
 #include "panel/hand_mode.hpp"
 #include "panel/menu_mode.hpp"
 
 namespace cnclab::panel {
 
-using ActiveMode = std::variant<MenuMode, HandMode, AutomatMode, EditorMode, ComingMode>;
+using ActiveMode = std::variant<MenuMode, HandMode, HandInputMode, AutomatMode, EditorMode, ComingMode>;
 
 [[nodiscard]] ActiveMode open_mode(Mode mode, ControlState& state);
 /// Called before another mode becomes active.

@@ -30,6 +30,7 @@ struct RunOrder {
   program::Start start;  ///< its position is the machine's Istwert
   machine::MachineData data;
   language::Vocabulary vocabulary;
+  bool is_single_function = false;  ///< HANDEINGABE: its end is no end of a program, spindle and coolant stay (DEC-38)
 };
 
 /// How a run ended, and the state to go on with: that of the block really executed, not of the one read ahead.

@@ -18,6 +18,11 @@ void tell_limit_switch(ControlState& state) {
 
 }  // namespace
 
+language::Error without_place(language::Error error) {
+  error.program = error.block = 0;
+  return error;
+}
+
 void tell_break(ControlState& state, machine::StopCause cause) {
   switch (cause) {
     case machine::StopCause::limit_switch:

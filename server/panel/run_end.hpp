@@ -13,6 +13,9 @@ namespace cnclab::panel {
   return static_cast<int>(axis) * kColumnsPerAxis;
 }
 
+/// An error of a block that has no place in a program (HANDEINGABE).
+[[nodiscard]] language::Error without_place(language::Error error);
+
 /// Row 18 for what the machine or the lab broke off; after a limit switch also the monitor's last line.
 void tell_break(ControlState& state, machine::StopCause cause);
 

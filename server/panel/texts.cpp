@@ -126,6 +126,18 @@ constexpr std::array<TextRow, kTexts> kTable{{
      "Set actual value: choose the axis with a direction key, ISTWERT ends."},
     {Text::wait_istwert_value, "Istwert {}: Wert tippen, C löscht, ISTWERT beendet.",
      "Actual value {}: type the value, C clears, ISTWERT ends."},
+    {Text::wait_input_function, "G-Funktion tippen (zwei Ziffern) oder mit → zu den Wörtern; START führt den Satz aus.",
+     "Type a G function (two figures) or go to its words with →; START executes the block."},
+    {Text::wait_input_word, "Wort {} eingeben, → zum nächsten, START führt den Satz aus.",
+     "Enter word {}, → for the next one, START executes the block."},
+    {Text::wait_input_running, "Der Satz wird ausgeführt. STOP hält auf der Rampe an.",
+     "The block is being executed. STOP halts on the ramp."},
+    {Text::wait_input_waiting, "Der Satz wartet auf einen Eingang. START hebt das Warten auf.",
+     "The block waits for an input. START ends the waiting."},
+    {Text::wait_input_rest, "Angehalten: START fährt den Rest des Satzes, MENU bricht ihn ab.",
+     "Stopped: START does the rest of the block, MENU abandons it."},
+    {Text::wait_input_done, "Ausgeführt. START wiederholt den Satz, → wählt ein Wort, MENU beendet.",
+     "Done. START repeats the block, → chooses a word, MENU ends."},
 
     {Text::said_limit_switch, "Endschalter {} erreicht: Programm abgebrochen, Achse freigefahren, ihr Istwert ist 0.",
      "Limit switch {} reached: program abandoned, axis driven free, its actual value is 0."},
@@ -165,6 +177,10 @@ constexpr std::array<TextRow, kTexts> kTable{{
      "Not towards the limit switch: only the opposite direction is free."},
     {Text::said_switch_stuck, "Der Endschalter wurde nicht wieder frei: Referenzfahrt abgebrochen.",
      "The limit switch did not become free again: reference run abandoned."},
+    {Text::said_unreferenced, "Die Maschine ist nicht referenziert: erst in HANDBETRIEB die Referenzpunkte anfahren.",
+     "The machine is not referenced: first drive to the reference points in HANDBETRIEB."},
+    {Text::said_barred, "G04, G20 bis G23, M00, M01 und M02 werden in der Handeingabe nicht ausgeführt.",
+     "G04, G20 to G23, M00, M01 and M02 are not executed in manual data input."},
     {Text::hint_running, "{} wirkt hier nicht: während des Laufs nur STOP und EINZELSATZ.",
      "{} has no effect here: during the run only STOP and EINZELSATZ."},
     {Text::hint_waiting, "{} wirkt hier nicht: das Programm wartet auf START oder STOP.",
@@ -179,6 +195,8 @@ constexpr std::array<TextRow, kTexts> kTable{{
      "EINZELSATZ can be switched off only after STOP."},
     {Text::hint_moving, "{} wirkt hier nicht: während der Fahrt nur STOP.",
      "{} has no effect here: while the axes move only STOP."},
+    {Text::hint_rest, "{} wirkt hier nicht: erst START (Rest des Satzes) oder MENU.",
+     "{} has no effect here: first START (rest of the block) or MENU."},
 }};
 
 constexpr bool is_in_order() {

@@ -112,6 +112,12 @@ enum class Text : std::uint8_t {
   wait_off_switch,
   wait_istwert_axis,
   wait_istwert_value,
+  wait_input_function,
+  wait_input_word,
+  wait_input_running,
+  wait_input_waiting,
+  wait_input_rest,
+  wait_input_done,
   // Row 18: what was wrong, what to do
   said_limit_switch,
   said_power_off,
@@ -135,6 +141,8 @@ enum class Text : std::uint8_t {
   said_no_direction,
   said_towards_switch,
   said_switch_stuck,
+  said_unreferenced,
+  said_barred,
   hint_running,
   hint_waiting,
   hint_menu_first,
@@ -143,6 +151,7 @@ enum class Text : std::uint8_t {
   hint_coming,
   hint_single_off,
   hint_moving,
+  hint_rest,
   count_
 };
 

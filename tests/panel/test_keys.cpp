@@ -150,6 +150,7 @@ TEST(KeyTable, KEY_011_012_013_StartStateOfEveryMode) {
       {Place::hand_moving, {{Key::STOP, Effect::stop}}},
       {Place::hand_reference, {{Key::STOP, Effect::stop}}},
       {Place::input_running, {{Key::STOP, Effect::stop}}},
+      {Place::input_waiting, {{Key::STOP, Effect::stop}, {Key::START, Effect::start}}},
       {Place::teach_moving, {{Key::STOP, Effect::stop}}},
       {Place::automat_running, {{Key::STOP, Effect::stop}, {Key::EINZELSATZ, Effect::single_block}}},
       {Place::automat_waiting,
@@ -224,6 +225,8 @@ constexpr Scene kScenes[] = {
     {"HA", "HAND", Place::hand_ready},
     {"HA ISTWERT", "HAND ISTWERT", Place::hand_istwert},
     {"HA value", "HAND ISTWERT PLUS_X", Place::hand_value},
+    {"HE function", "HANDEINGABE", Place::input_function},
+    {"HE word", "HANDEINGABE ENTER", Place::input_word},
     {"XD", "EXTERNE_DATEN", Place::external_data},
     {"GR", "GRAFIK", Place::graphics},
 };
