@@ -271,6 +271,10 @@ Situation Control::situation() const {
     situation.program = editor->number();
     situation.block = editor->is_open ? static_cast<std::uint16_t>(editor->line.number()) : std::uint16_t{0};
   }
+  if (const auto* teach_in = std::get_if<TeachInMode>(&impl_->active)) {
+    situation.program = teach_in->number();
+    situation.block = teach_in->is_open ? static_cast<std::uint16_t>(teach_in->line.number()) : std::uint16_t{0};
+  }
   if (const auto* automat = std::get_if<AutomatMode>(&impl_->active)) {
     const geometry::SourceBlock current = current_block(*automat, impl_->state);
     situation.program = current.program;

@@ -22,6 +22,12 @@ struct Message {
   std::string sentence;
 };
 
+/// Where TEACH IN stopped last: continuing that program goes on from there (DEC-61).
+struct TaughtPosition {
+  std::uint16_t program = 0;  ///< 0: none
+  std::array<std::int64_t, 3> position_um{};
+};
+
 struct ControlState {
   ControlState(const Settings& configuration, Memory stored, machine::MachineData own_data)
       : settings(configuration), memory(std::move(stored)), data(std::move(own_data)) {}
@@ -41,6 +47,7 @@ struct ControlState {
 
   std::uint16_t editor_program = 1;   ///< last worked on (D-35)
   std::uint16_t automat_program = 1;  ///< last run in AUTOMAT (MOD-050)
+  TaughtPosition taught;
   Message message;
   std::string hint;  ///< why the last key was ignored; row 18 only
   std::optional<StoreRequest> storing;

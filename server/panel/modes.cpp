@@ -25,6 +25,7 @@ ActiveMode open_mode(Mode mode, ControlState& state) {
     case Mode::hand_input:
       return open_hand_input(state);
     case Mode::teach_in:
+      return open_teach_in(state);
     case Mode::external_data:
     case Mode::graphics:
     case Mode::erase_memory:
@@ -47,8 +48,8 @@ Mode mode_of(const ActiveMode& mode) {
   return std::visit(
       Overloaded{[](const MenuMode&) { return Mode::menu; }, [](const HandMode&) { return Mode::hand; },
                  [](const HandInputMode&) { return Mode::hand_input; },
-                 [](const AutomatMode&) { return Mode::automat; }, [](const EditorMode&) { return Mode::editor; },
-                 [](const ComingMode& coming) { return coming.mode; }},
+                 [](const TeachInMode&) { return Mode::teach_in; }, [](const AutomatMode&) { return Mode::automat; },
+                 [](const EditorMode&) { return Mode::editor; }, [](const ComingMode& coming) { return coming.mode; }},
       mode);
 }
 

@@ -10,10 +10,11 @@
 #include "panel/hand_input_mode.hpp"
 #include "panel/hand_mode.hpp"
 #include "panel/menu_mode.hpp"
+#include "panel/teach_in_mode.hpp"
 
 namespace cnclab::panel {
 
-using ActiveMode = std::variant<MenuMode, HandMode, HandInputMode, AutomatMode, EditorMode, ComingMode>;
+using ActiveMode = std::variant<MenuMode, HandMode, HandInputMode, TeachInMode, AutomatMode, EditorMode, ComingMode>;
 
 [[nodiscard]] ActiveMode open_mode(Mode mode, ControlState& state);
 /// Called before another mode becomes active.

@@ -118,6 +118,9 @@ enum class Text : std::uint8_t {
   wait_input_waiting,
   wait_input_rest,
   wait_input_done,
+  wait_teach_program,
+  wait_teach_empty,
+  wait_teach_filled,
   // Row 18: what was wrong, what to do
   said_limit_switch,
   said_power_off,
@@ -143,6 +146,8 @@ enum class Text : std::uint8_t {
   said_switch_stuck,
   said_unreferenced,
   said_barred,
+  said_number_for_teaching,
+  said_program_full,
   hint_running,
   hint_waiting,
   hint_menu_first,

@@ -227,6 +227,9 @@ constexpr Scene kScenes[] = {
     {"HA value", "HAND ISTWERT PLUS_X", Place::hand_value},
     {"HE function", "HANDEINGABE", Place::input_function},
     {"HE word", "HANDEINGABE ENTER", Place::input_word},
+    {"TI program", "TEACH_IN", Place::teach_program},
+    {"TI ready", "TEACH_IN ENTER", Place::teach_ready},
+    {"TI word", "TEACH_IN ENTER ENTER", Place::teach_word},
     {"XD", "EXTERNE_DATEN", Place::external_data},
     {"GR", "GRAFIK", Place::graphics},
 };
