@@ -22,6 +22,10 @@ void apply(const StoreRequest& request, ControlState& state) {
   if (const auto* removed = std::get_if<RemovePrograms>(&request))
     for (const std::uint16_t program : removed->programs) state.memory.remove_program(program);
   if (const auto* data = std::get_if<PutMachineData>(&request)) state.data = data->data;
+  if (const auto* all = std::get_if<EraseMemory>(&request)) {
+    for (const std::uint16_t program : all->programs) state.memory.remove_program(program);
+    state.data = all->data;
+  }
 }
 
 bool stores_block(const StoreRequest& request) {

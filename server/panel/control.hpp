@@ -68,7 +68,12 @@ struct RemovePrograms {
 struct PutMachineData {
   machine::MachineData data;
 };
-using StoreRequest = std::variant<PutBlock, InsertBlock, DeleteBlock, RemovePrograms, PutMachineData>;
+/// The whole memory at once: these programs, and the machine data become `data` (MOD-077). The versions stay (STO-005).
+struct EraseMemory {
+  std::vector<std::uint16_t> programs;
+  machine::MachineData data;
+};
+using StoreRequest = std::variant<PutBlock, InsertBlock, DeleteBlock, RemovePrograms, PutMachineData, EraseMemory>;
 
 /// What a key press led to besides a changed screen.
 struct Outcome {

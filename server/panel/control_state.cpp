@@ -37,6 +37,21 @@ language::EntryLimits ControlState::entry_limits() const {
   return {.x = {data.get(3)}, .y = {data.get(4)}, .z = {data.get(5)}, .f_max = data.get(6), .s_max = data.get(7)};
 }
 
+EraseMemory ControlState::whole_memory() const {
+  EraseMemory request;
+  for (const language::Program& program : memory.programs()) request.programs.push_back(program.number);
+  return request;
+}
+
+void ControlState::initialise() {
+  modal = {};
+  parameters = {};
+  compensation_mm = {};
+  taught = {};
+  editor_program = automat_program = 1;
+  (void)apply_data();  // where the machine does not stand still, the next START tries again
+}
+
 void ControlState::take_over(const RunEnd& end) {
   modal = end.modal;
   parameters = end.parameters;

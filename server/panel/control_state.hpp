@@ -66,6 +66,10 @@ struct ControlState {
   [[nodiscard]] bool apply_data();
   /// What EINGABE compares word values with (D-46, DEC-56).
   [[nodiscard]] language::EntryLimits entry_limits() const;
+  /// The request that erases everything, machine data included.
+  [[nodiscard]] EraseMemory whole_memory() const;
+  /// As after switching on (MOD-078): modal state, parameters and offered numbers; the axes' counters stay.
+  void initialise();
   /// Takes over what a run has left behind.
   void take_over(const RunEnd& end);
   [[nodiscard]] language::Plane plane() const;      ///< of the modal state

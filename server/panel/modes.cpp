@@ -16,19 +16,20 @@ ActiveMode open_mode(Mode mode, ControlState& state) {
   switch (mode) {
     case Mode::menu:
       return MenuMode{};
-    case Mode::automat:
-      return open_automat(state);
-    case Mode::editor:
-      return open_editor(state);
     case Mode::hand:
       return open_hand(state);
     case Mode::hand_input:
       return open_hand_input(state);
     case Mode::teach_in:
       return open_teach_in(state);
+    case Mode::automat:
+      return open_automat(state);
+    case Mode::erase_memory:
+      return EraseMemoryMode{};
+    case Mode::editor:
+      return open_editor(state);
     case Mode::external_data:
     case Mode::graphics:
-    case Mode::erase_memory:
     case Mode::machine_data:
     case Mode::memory_test:
       return ComingMode{mode};
@@ -46,10 +47,11 @@ void close_mode(ActiveMode& mode, ControlState& state) {
 
 Mode mode_of(const ActiveMode& mode) {
   return std::visit(
-      Overloaded{[](const MenuMode&) { return Mode::menu; }, [](const HandMode&) { return Mode::hand; },
-                 [](const HandInputMode&) { return Mode::hand_input; },
-                 [](const TeachInMode&) { return Mode::teach_in; }, [](const AutomatMode&) { return Mode::automat; },
-                 [](const EditorMode&) { return Mode::editor; }, [](const ComingMode& coming) { return coming.mode; }},
+      Overloaded{
+          [](const MenuMode&) { return Mode::menu; }, [](const HandMode&) { return Mode::hand; },
+          [](const HandInputMode&) { return Mode::hand_input; }, [](const TeachInMode&) { return Mode::teach_in; },
+          [](const EraseMemoryMode&) { return Mode::erase_memory; }, [](const AutomatMode&) { return Mode::automat; },
+          [](const EditorMode&) { return Mode::editor; }, [](const ComingMode& coming) { return coming.mode; }},
       mode);
 }
 

@@ -91,6 +91,13 @@ AutomatMode automat_of(const Json& json, const ControlState& state) {
   return mode;
 }
 
+/// Lines of what was erased are those of one session; C has to be pressed again.
+EraseMemoryMode erase_memory_of(const Json& json) {
+  EraseMemoryMode mode;
+  read_field(json, "program", mode.program);
+  return mode;
+}
+
 std::optional<Mode> mode_named(const Json& json) {
   const Json* name = member_of(json, "mode");
   if (name == nullptr || !name->is_string()) return std::nullopt;
@@ -107,6 +114,7 @@ ActiveMode active_mode_of(Mode mode, const Json& json, ControlState& state) {
   };
   if (mode == Mode::editor) return editor_of(part("editor"), state);
   if (mode == Mode::automat) return automat_of(part("automat"), state);
+  if (mode == Mode::erase_memory) return erase_memory_of(part("erase_memory"));
   if (mode == Mode::hand) return hand_of(part("hand"));
   if (mode == Mode::hand_input) return hand_input_of(part("hand_input"), state);
   if (mode == Mode::teach_in) return teach_in_of(part("teach_in"), state);
@@ -127,6 +135,8 @@ std::string write_state(const ActiveMode& mode, const ControlState& state) {
             {"editor_program", state.editor_program},
             {"automat_program", state.automat_program},
             {"taught", taught_json(state.taught)}};
+  if (const auto* erase = std::get_if<EraseMemoryMode>(&mode))
+    json["erase_memory"]["program"] = field_json(erase->program);
   if (const auto* hand = std::get_if<HandMode>(&mode)) json["hand"] = hand_json(*hand);
   if (const auto* input = std::get_if<HandInputMode>(&mode)) json["hand_input"] = hand_input_json(*input);
   if (const auto* teach_in = std::get_if<TeachInMode>(&mode)) json["teach_in"] = teach_in_json(*teach_in);

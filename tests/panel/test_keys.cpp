@@ -232,6 +232,8 @@ constexpr Scene kScenes[] = {
     {"TI word", "TEACH_IN ENTER ENTER", Place::teach_word},
     {"XD", "EXTERNE_DATEN", Place::external_data},
     {"GR", "GRAFIK", Place::graphics},
+    {"SL", "SPEICHER_LOESCHEN", Place::erase_program},
+    {"SL all", "SPEICHER_LOESCHEN CLEAR", Place::erase_all},
 };
 
 TEST(Keys, KEY_090_IgnoredKeysChangeNeitherMonitorNorState) {
