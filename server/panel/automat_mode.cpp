@@ -63,7 +63,8 @@ void begin_run(AutomatMode& mode, ControlState& state) {
                   .parameters = state.parameters,
                   .compensation_mm = state.compensation_mm},
                  state.effective_data(),
-                 state.settings.vocabulary};
+                 state.settings.vocabulary,
+                 state.settings.long_work};
   state.connection.channel->set_single_block(mode.single_block);
   const auto begun = state.run.begin(state.connection, std::move(order));
   if (!begun) {
@@ -117,7 +118,7 @@ void prepare_start(AutomatMode& mode, const ControlState& state) {
   mode.programs = state.memory.snapshot();
   mode.is_rebuilt = program != nullptr && state.settings.start_in_middle_rebuilds &&
                     mode.block_number() != program->blocks.front().number;
-  if (mode.is_rebuilt) mode.first_modal = program::rebuild_modal(*program, mode.block_number(), state.modal);
+  if (mode.is_rebuilt) mode.first_modal = program::rebuild_modal(mode.programs, *program, mode.block_number(), state.modal);
 }
 
 Place place_of(const AutomatMode& mode, const ControlState& state) {

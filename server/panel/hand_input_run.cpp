@@ -96,6 +96,7 @@ void execute_line(HandInputMode& mode, ControlState& state) {
                            .compensation_mm = state.compensation_mm},
                  .data = state.effective_data(),
                  .vocabulary = state.settings.vocabulary,
+                 .long_work = state.settings.long_work,
                  .is_single_function = true};
   const auto begun = state.run.begin(state.connection, std::move(order));
   if (begun) return;
