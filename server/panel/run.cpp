@@ -54,20 +54,22 @@ bool acts_at_block_start(int m) { return m == 3 || m == 4 || m == 8 || m == 13 |
 }  // namespace
 
 std::expected<void, language::Error> Run::begin(const Connection& connection, RunOrder order) {
-  auto interpreter =
-      program::Interpreter::begin(order.programs, interpreter_settings(order, connection.is_lab_machine), order.start);
-  if (!interpreter) return std::unexpected(interpreter.error());
+  auto source =
+      program::PathSource::begin(order.programs, interpreter_settings(order, connection.is_lab_machine), order.start);
+  if (!source) return std::unexpected(source.error());
   *this = Run{};
   connection_ = connection;
   programs_ = std::move(order.programs);
   first_modal_ = order.start.modal;
-  interpreter_ = std::move(*interpreter);
+  source_ = std::move(*source);
   first_parameters_ = parameters_ = std::make_shared<const program::Parameters>(order.start.parameters);
   look();
   if (connection_.is_lab_machine && seen_.is_referenced) guard_.emplace(seen_, order.data, order.start.position);
-  if (auto error = prepare_block()) {
+  static_cast<void>(prepare_block());
+  if (failure_) {
+    auto error = std::unexpected(std::move(*failure_));
     *this = Run{};
-    return std::unexpected(std::move(*error));
+    return error;
   }
   const motion::Limits limits = machine::motion_limits(order.data);
   look_ahead_s_ = kLeastLookAhead_s + limits.f_max_mm_per_s / limits.stop_deceleration_mm_per_s2;
@@ -88,24 +90,48 @@ void Run::go() {
   look();
 }
 
-std::optional<language::Error> Run::prepare_block() {
+bool Run::prepare_block() {
+  if (!answer_input()) return false;
   items_.clear();
   next_item_ = 0;
-  auto executed = interpreter_->step(items_);
-  if (!executed) return executed.error();
-  if (guard_) {
-    for (const geometry::PathItem& item : items_)
-      if (auto fault = guard_->fault_of(item)) {
-        items_.clear();
-        return fault;
-      }
-  }
-  if (interpreter_->parameters() != *parameters_)
-    parameters_ = std::make_shared<const program::Parameters>(interpreter_->parameters());
+  auto executed = source_->step(items_);
+  guard_travel();
+  if (!executed && !failure_) failure_ = executed.error();
+  if (!executed) return true;
+  const program::Interpreter& interpreter = source_->interpreter();
+  if (interpreter.parameters() != *parameters_)
+    parameters_ = std::make_shared<const program::Parameters>(interpreter.parameters());
   double path_s = records_.empty() ? 0 : records_.back().path_s;
   for (const geometry::PathItem& item : items_) path_s += seconds_of(item);
   records_.push_back({std::move(*executed), parameters_, std::ranges::any_of(items_, is_alarm), path_s});
-  return std::nullopt;
+  return true;
+}
+
+/// A block beyond the lab machine's travel does not move at all (AUTH-011): its items are dropped, those before stay.
+void Run::guard_travel() {
+  if (!guard_) return;
+  const auto fault =
+      std::ranges::find_if(items_, [this](const auto& item) { return guard_->fault_of(item).has_value(); });
+  if (fault == items_.end()) return;
+  failure_ = guard_->fault_of(*fault);
+  const std::uint64_t sequence = fault->sequence;
+  std::erase_if(items_, [sequence](const auto& item) { return item.sequence >= sequence; });
+}
+
+/// Input 1 for G21 and G23 as it was two blocks before (D-56). A block that cannot begin because its own end depends on
+/// the answer (a compensated way is held back until the next is known) begins with it: then the input counts now.
+bool Run::answer_input() {
+  program::Interpreter& interpreter = source_->interpreter();
+  const std::optional<std::uint64_t> asked = interpreter.awaited_input();
+  if (!asked) return true;
+  const bool nothing_moves_without = run_ != 0 && seen_.run == run_ && is_path_done();
+  if (*asked == 0 || nothing_moves_without) {
+    interpreter.answer_input(seen_.input_1);
+    return true;
+  }
+  const std::optional<bool> seen = seen_.run == run_ ? machine::input_1_at_start(seen_, *asked) : std::nullopt;
+  if (seen) interpreter.answer_input(*seen);
+  return seen.has_value();
 }
 
 bool Run::is_far_enough_ahead() const {
@@ -120,9 +146,8 @@ void Run::feed() {
   motion::Planner& planner = connection_.channel->planner();
   for (int budget = kItemsPerPoll; budget > 0; --budget) {
     if (next_item_ == items_.size()) {
-      if (failure_ || interpreter_->ended() || is_far_enough_ahead()) break;
-      failure_ = prepare_block();
-      if (failure_) break;
+      if (failure_ || source_->ended() || is_far_enough_ahead() || !prepare_block()) break;
+      continue;
     }
     if (!planner.append(items_[next_item_])) break;
     ++next_item_;
@@ -167,8 +192,9 @@ void Run::stop() {
 }
 
 RunEnd Run::finish(RunEnd::Kind kind) {
-  RunEnd end{kind, seen_.cause, std::nullopt, modal(), parameters()};
+  RunEnd end{kind, seen_.cause, std::nullopt, modal(), parameters(), {}};
   if (kind == RunEnd::Kind::failed) end.error = failure_;
+  if (kind == RunEnd::Kind::program_end) end.compensation_mm = source_->compensation_mm();
   *this = Run{};
   return end;
 }
@@ -180,9 +206,9 @@ std::optional<RunEnd> Run::abandon() {
   return finish(RunEnd::Kind::broken);
 }
 
+/// Everything that was appended has been passed; what the source holds back or has failed at is not part of it.
 bool Run::is_path_done() const {
-  const bool all_appended = next_item_ == items_.size();
-  return all_appended && !records_.empty() && seen_.finished_sequence >= records_.back().block.sequence;
+  return next_item_ == items_.size() && connection_.channel->queue().waiting() == 0 && seen_.speed_mm_per_min == 0;
 }
 
 std::optional<RunEnd> Run::poll() {

@@ -1,6 +1,6 @@
 // One run of a program: from START until its end, abandonment or an error.
 //
-//   ProgramSet ──▶ Interpreter ──▶ Planner ──▶ Channel        the interpreter runs ahead of the machine by some seconds
+//   ProgramSet ──▶ PathSource ──▶ Planner ──▶ Channel         the source runs ahead of the machine by some seconds
 //                      └─ RunRecord per block ─┐
 //   Channel::snapshot ── sequence ─────────────┴──▶ which block, which modal state the operator sees
 //
@@ -20,7 +20,7 @@
 #include "machine/channel.hpp"
 #include "panel/connection.hpp"
 #include "panel/travel_guard.hpp"
-#include "program/interpreter.hpp"
+#include "program/path_source.hpp"
 
 namespace cnclab::panel {
 
@@ -40,6 +40,7 @@ struct RunEnd {
   std::optional<language::Error> error;  ///< Kind::failed
   program::ModalState modal;
   program::Parameters parameters{};
+  std::array<double, 3> compensation_mm{};  ///< Istwert minus Sollwert where a program ended; else 0 (D-75)
 };
 
 class Run {
@@ -67,7 +68,7 @@ class Run {
   std::optional<RunEnd> poll();
 
   [[nodiscard]] State state() const;
-  [[nodiscard]] bool is_present() const { return interpreter_.has_value(); }
+  [[nodiscard]] bool is_present() const { return source_.has_value(); }
   /// The block on top of the window: the one being done, or the next where it waits for START.
   [[nodiscard]] geometry::SourceBlock shown_block() const;
   [[nodiscard]] bool shows_blocks() const;  ///< false under M21, and in subprograms under M22
@@ -76,7 +77,7 @@ class Run {
   [[nodiscard]] bool sounds_alarm() const;  ///< M01 waits for START
 
  private:
-  /// A block that the interpreter has executed ahead of the machine.
+  /// A block that was executed ahead of the machine.
   struct Record {
     program::ExecutedBlock block;
     std::shared_ptr<const program::Parameters> parameters;  ///< after the block; shared while unchanged
@@ -84,7 +85,10 @@ class Run {
     double path_s = 0;  ///< time of the path up to its end at programmed speed, from START
   };
 
-  [[nodiscard]] std::optional<language::Error> prepare_block();
+  /// Executes the next block; false while it must wait for Input 1.
+  bool prepare_block();
+  [[nodiscard]] bool answer_input();
+  void guard_travel();
   void feed();
   void forget_done_blocks();
   [[nodiscard]] bool is_far_enough_ahead() const;
@@ -104,9 +108,9 @@ class Run {
 
   program::ProgramSet programs_;
   program::ModalState first_modal_;
-  std::optional<program::Interpreter> interpreter_;
+  std::optional<program::PathSource> source_;
   std::optional<TravelGuard> guard_;
-  std::vector<geometry::PathItem> items_;  ///< of the newest block, from `next_item_` still to be appended
+  std::vector<geometry::PathItem> items_;  ///< the newest finished ones, from `next_item_` still to be appended
   std::size_t next_item_ = 0;
   std::deque<Record> records_;
   std::shared_ptr<const program::Parameters> first_parameters_, parameters_;

@@ -36,6 +36,9 @@ class PathSource {
   /// Path minus Sollwert after everything that has come out, for the next Start (D-75).
   [[nodiscard]] const std::array<double, 3>& compensation_mm() const { return stages_.shift_mm(); }
 
+  /// What the newest block programmed, before the stages: its contour, for drawings and checks.
+  [[nodiscard]] const std::vector<geometry::PathItem>& programmed() const { return programmed_; }
+
   [[nodiscard]] Interpreter& interpreter() { return interpreter_; }
   [[nodiscard]] const Interpreter& interpreter() const { return interpreter_; }
   [[nodiscard]] bool ended() const { return interpreter_.ended() || fault_.has_value(); }

@@ -14,7 +14,8 @@ namespace {
 
 std::string tape_of(const Job& job) {
   std::string text;
-  for (const language::Program& program : job.in_file_order) {
+  for (const std::uint16_t number : job.in_file_order) {
+    const language::Program& program = *job.programs.find(number);
     text += language::write_program(program);
     if (!text.ends_with('\n')) text += '\n';
   }
@@ -38,7 +39,8 @@ std::string listing_of(const Job& job) {
   const std::string date = fmt::format("({:02}:{:02}:{:02} {:02}/{:02}/{:02})", local.tm_hour, local.tm_min,
                                        local.tm_sec, local.tm_mday, local.tm_mon + 1, local.tm_year % 100);
   std::string text;
-  for (const language::Program& program : job.in_file_order) {
+  for (const std::uint16_t number : job.in_file_order) {
+    const language::Program& program = *job.programs.find(number);
     text += fmt::format("P{:04}\n\n{}\n\n", program.number, date);
     language::Plane plane = language::Plane::xy;
     for (const language::Block& block : program.blocks) {
