@@ -59,6 +59,11 @@ Actions Authority::apply(const Event& event, const MachineView& machine, std::in
 
 void Authority::note_login(const Step& step) {
   const auto& in = std::get<LoggedIn>(step.event);
+  const LoginId former = login_at(in.station);
+  if (former != in.login) {
+    take_away(former, "another login", step);
+    locked_.erase(former);
+  }
   logins_[in.station] = in.login;
 }
 
