@@ -2,6 +2,7 @@
 #include "language/block_form.hpp"
 
 #include <array>
+#include <bit>
 #include <iterator>
 
 #include "language/form_table.hpp"
@@ -73,6 +74,18 @@ constexpr auto make_form_sets() {
   return sets;
 }
 constexpr auto kFormSets = make_form_sets();
+
+/// No function has more words than a block has room for, not even with those of all its planes.
+constexpr bool blocks_hold_all_words() {
+  for (const BlockForm& form : kForms) {
+    AddressSet set = 0;
+    for (const BlockForm& other : kForms)
+      if (other.function == form.function) set |= set_of_words(other);
+    if (form.words.size() > kMostWords || static_cast<std::size_t>(std::popcount(set)) > kMostWords) return false;
+  }
+  return true;
+}
+static_assert(blocks_hold_all_words());
 
 }  // namespace
 

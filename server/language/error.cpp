@@ -22,6 +22,11 @@ struct Row {
 constexpr std::string_view kCheckBlock = "Satz überprüfen";  // ERR-002, ERR-003
 constexpr std::string_view kCheckBlockEnglish = "Check block";
 
+constexpr std::string_view kNoCompensation = "Korrektur nicht moeglich";  // DEC-50
+constexpr std::string_view kNoCompensationEnglish = "Compensation impossible";
+constexpr std::string_view kArcWrong = "Kreis falsch";  // DEC-50
+constexpr std::string_view kArcWrongEnglish = "Arc wrong";
+
 constexpr Row kRows[] = {
     {ErrorCode::function_unknown,
      {"Funktion nicht vorgesehen", "{0} gibt es an dieser Steuerung nicht{1}. Andere Funktion eingeben."},
@@ -57,11 +62,32 @@ constexpr Row kRows[] = {
      {"Falsche Ebene", "{0} passt nicht zur Kreisebene{1}. G17, G18 oder G19 davor setzen."},
      {"Wrong plane", "{0} does not fit the plane{1}. Put G17, G18 or G19 before it."}},
     {ErrorCode::arc_wrong,
-     {"Kreis falsch", "{0}: Endpunkt liegt nicht auf dem Kreis{1}. Endpunkt oder Mitte ändern."},
-     {"Arc wrong", "{0}: end point is not on the arc{1}. Change end point or centre."}},
+     {kArcWrong, "{0}: Endpunkt liegt nicht auf dem Kreis{1}. Endpunkt oder Mitte ändern."},
+     {kArcWrongEnglish, "{0}: end point is not on the arc{1}. Change end point or centre."}},
     {ErrorCode::compensation_impossible,
-     {"Korrektur nicht moeglich", "{0}: Werkzeugkorrektur geht hier nicht{1}. Kontur oder T ändern."},
-     {"Compensation impossible", "{0}: no tool compensation possible here{1}. Change contour or T."}},
+     {kNoCompensation, "{0}: Werkzeugkorrektur geht hier nicht{1}. Kontur oder T ändern."},
+     {kNoCompensationEnglish, "{0}: no tool compensation possible here{1}. Change contour or T."}},
+    {ErrorCode::arc_at_entry_or_exit,
+     {kNoCompensation, "{0}: An- und Abfahren nur auf Geraden{1}. G01 statt Bogen nehmen."},
+     {kNoCompensationEnglish, "{0}: enter and leave a contour on lines{1}. Use G01, no arc."}},
+    {ErrorCode::inside_arc_too_small,
+     {kNoCompensation, "{0}: Innenbogen zu klein für das Werkzeug{1}. Kleineres nehmen."},
+     {kNoCompensationEnglish, "{0}: inside arc too small for the tool{1}. Use a smaller one."}},
+    {ErrorCode::no_intersection,
+     {kNoCompensation, "{0}: an der Innenecke schneiden sich die Bahnen nicht{1}. Kontur ändern."},
+     {kNoCompensationEnglish, "{0}: the paths do not meet at the inside corner{1}. Change contour."}},
+    {ErrorCode::runs_backwards,
+     {kNoCompensation, "{0}: zu kurz für das Werkzeug, liefe rückwärts{1}. Kontur ändern."},
+     {kNoCompensationEnglish, "{0}: too short for the tool, would run backwards{1}. Change contour."}},
+    {ErrorCode::too_close,
+     {kNoCompensation, "Werkzeug würde in {0} schneiden{1}. Kontur ändern oder kleineres nehmen."},
+     {kNoCompensationEnglish, "Tool would cut into {0}{1}. Change the contour or use a smaller one."}},
+    {ErrorCode::rounding_without_lines,
+     {kArcWrong, "{0}: G10 rundet nur zwischen zwei G01 der Ebene{1}. Sätze prüfen."},
+     {kArcWrongEnglish, "{0}: G10 rounds only between two G01 of the plane{1}. Check them."}},
+    {ErrorCode::rounding_too_large,
+     {kArcWrong, "{0}: Rundung passt nicht in beide Geraden{1}. R verkleinern."},
+     {kArcWrongEnglish, "{0}: rounding does not fit into both lines{1}. Use a smaller R."}},
     {ErrorCode::scale_not_allowed,
      {"Skalenfaktor unzulaessig", "{0}: Skalenfaktor geht hier nicht{1}. G91, G40, G45 vorher."},
      {"Scale not allowed", "{0}: no scale factor here{1}. G91, G40, G45 first."}},
@@ -96,8 +122,11 @@ constexpr Row kRows[] = {
      {"Programmnummer falsch", "Programmnummer {0} falsch{1}. P und vier Ziffern angeben."},
      {"Program number wrong", "Program number {0} wrong{1}. Give P and four digits."}},
     {ErrorCode::text_malformed,
-     {"Uebertragung falsch", "{0} ist kein Wort der Steuerung{1}. Text berichtigen."},
-     {"Transfer wrong", "{0} is no word of the control{1}. Correct the text."}},
+     {"Uebertragung falsch", "{0} ist so nicht lesbar{1}. Text berichtigen."},
+     {"Transfer wrong", "{0} cannot be read like this{1}. Correct the text."}},
+    {ErrorCode::machine_datum_wrong,
+     {"Maschinendaten falsch", "Maschinendatum {0} ist nicht lesbar{1}. Zahl berichtigen."},
+     {"Machine data wrong", "Machine datum {0} cannot be read{1}. Correct the number."}},
     {ErrorCode::lower_case,
      {"Uebertragung falsch", "Kleinbuchstabe {0} würde die Steuerung überlesen{1}. Groß schreiben."},
      {"Transfer wrong", "The control would skip the small letter {0}{1}. Use capitals."}},

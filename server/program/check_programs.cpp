@@ -1,4 +1,4 @@
-// Checks stored programs block by block, then by executing them on paper.
+// Checks stored programs block by block.
 #include "program/check_programs.hpp"
 
 #include <fmt/core.h>
@@ -83,19 +83,6 @@ std::vector<language::Error> check_blocks(const ProgramSet& programs, const Sett
     }
   }
   return errors;
-}
-
-std::optional<language::Error> dry_run(const ProgramSet& programs, const Settings& settings, const Start& start,
-                                       std::uint64_t most_blocks) {
-  auto interpreter = Interpreter::begin(programs, settings, start);
-  if (!interpreter) return interpreter.error();
-  std::vector<geometry::PathItem> items;
-  for (std::uint64_t blocks = 0; blocks < most_blocks && !interpreter->ended(); ++blocks) {
-    items.clear();
-    const auto executed = interpreter->step(items);
-    if (!executed) return executed.error();
-  }
-  return std::nullopt;
 }
 
 std::vector<std::uint16_t> start_programs(const ProgramSet& programs) {

@@ -7,24 +7,39 @@ namespace cnclab::program {
 
 using geometry::StageFault;
 
+namespace {
+
+language::ErrorCode code_of(StageFault::Kind kind) {
+  using language::ErrorCode;
+  switch (kind) {
+    case StageFault::Kind::arc_at_entry_or_exit:
+      return ErrorCode::arc_at_entry_or_exit;
+    case StageFault::Kind::inside_arc_too_small:
+      return ErrorCode::inside_arc_too_small;
+    case StageFault::Kind::no_intersection:
+      return ErrorCode::no_intersection;
+    case StageFault::Kind::runs_backwards:
+      return ErrorCode::runs_backwards;
+    case StageFault::Kind::too_close:
+      return ErrorCode::too_close;
+    case StageFault::Kind::rounding_without_lines:
+      return ErrorCode::rounding_without_lines;
+    case StageFault::Kind::rounding_too_large:
+      return ErrorCode::rounding_too_large;
+  }
+  return ErrorCode::compensation_impossible;
+}
+
+}  // namespace
+
 language::Error error_of(const StageFault& fault) {
-  const auto code = [&] {
-    switch (fault.kind) {
-      case StageFault::Kind::arc_at_entry_or_exit:
-      case StageFault::Kind::inside_arc_too_small:
-      case StageFault::Kind::no_intersection:
-      case StageFault::Kind::runs_backwards:
-      case StageFault::Kind::too_close:
-        return language::ErrorCode::compensation_impossible;
-      case StageFault::Kind::rounding_without_lines:
-      case StageFault::Kind::rounding_too_large:
-        return language::ErrorCode::compensation_impossible;
-    }
-    return language::ErrorCode::compensation_impossible;
-  }();
-  language::Error error{.code = code, .program = fault.block.program, .block = fault.block.block};
-  if (fault.found_mm != 0) error.detail = fmt::format("{:.3f}", fault.found_mm);
-  if (fault.needed_mm != 0) error.expected = fmt::format("{:.3f}", fault.needed_mm);
+  language::Error error{.code = code_of(fault.kind), .program = fault.block.program, .block = fault.block.block};
+  if (fault.kind == StageFault::Kind::too_close) {
+    error.detail = fmt::format("P{:04} N{:03}", fault.other.program, fault.other.block);
+  } else if (fault.found_mm != 0 || fault.needed_mm != 0) {
+    error.detail = fmt::format("{:.3f}", fault.found_mm);
+    error.expected = fmt::format("{:.3f}", fault.needed_mm);
+  }
   return error;
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <set>
 
+#include "language/tape.hpp"
+
 namespace cnclab::language {
 
 namespace {
@@ -78,5 +80,9 @@ rc::Gen<Program> random_program() {
     return program;
   });
 }
+
+void showValue(const Block& block, std::ostream& out) { out << write_block(block); }
+
+void showValue(const Program& program, std::ostream& out) { out << write_program(program); }
 
 }  // namespace cnclab::language
