@@ -5,7 +5,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "drawing/path_svg.hpp"
+#include "drawing/path_picture.hpp"
+#include "drawing/svg.hpp"
 #include "program/path_source.hpp"
 #include "tool/job.hpp"
 #include "tool/text_file.hpp"
@@ -107,11 +108,12 @@ int plot(const Options& options) {
   const auto drawn = drawn_of(*job, options);
   if (!drawn) return kExitError;
   const std::string title = fmt::format("P{:04}", job->start.program);
-  const std::string svg = drawing::path_svg(drawn->path, {.title = title,
-                                                          .view = view_of(options.view),
-                                                          .workpiece = drawing::standard_workpiece(job->start.position),
-                                                          .contour = drawn->contour,
-                                                          .captions = captions_of(options.tongue)});
+  const auto path = drawing::strokes_of(drawn->path), contour = drawing::strokes_of(drawn->contour);
+  const std::string svg = drawing::svg_of(drawing::path_picture(
+      {.path = path, .contour = contour}, {.title = title,
+                                           .view = view_of(options.view),
+                                           .workpiece = drawing::standard_workpiece(job->start.position),
+                                           .captions = captions_of(options.tongue)}));
   std::ofstream out(options.out_file, std::ios::binary | std::ios::trunc);
   out << svg;
   out.flush();
