@@ -69,7 +69,8 @@ void begin_run(AutomatMode& mode, ControlState& state) {
                   .modal = mode.first_modal,
                   .parameters = state.parameters},
                  state.effective_data(),
-                 state.settings.vocabulary};
+                 state.settings.vocabulary,
+                 state.settings.long_work};
   if (!state.apply_data()) {
     state.hint = text(Text::said_not_at_rest, state.tongue());
     return;
