@@ -57,6 +57,12 @@ struct CarryOut {
     for (const auto& form : machine::datum_forms())
       database.put_machine_datum(person, stored_datum(form.number, put.data.get(form.number)), author);
   }
+  void operator()(const panel::EraseMemory& all) const {
+    database.transaction([&] {
+      (*this)(panel::RemovePrograms{all.programs});
+      (*this)(panel::PutMachineData{all.data});
+    });
+  }
 };
 
 }  // namespace

@@ -30,7 +30,7 @@ program::Settings interpreter_settings(const RunOrder& order, bool is_lab_machin
   for (int axis = 0; axis < 4; ++axis)
     settings.steps_per_mm[static_cast<std::size_t>(axis)] = static_cast<double>(data.get(14 + axis));
   settings.vocabulary = order.vocabulary;
-  settings.outputs_at_end_off = is_lab_machine;
+  settings.outputs_at_end_off = is_lab_machine && !order.is_single_function;
   return settings;
 }
 

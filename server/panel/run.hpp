@@ -34,6 +34,7 @@ struct RunOrder {
   machine::MachineData data;
   language::Vocabulary vocabulary;
   LongWork long_work = do_at_once;  ///< who checks the contours
+  bool is_single_function = false;  ///< HANDEINGABE: its end is no end of a program, spindle and coolant stay (DEC-38)
 };
 
 /// How a run ended, and the state to go on with: that of the block really executed, not of the one read ahead.
