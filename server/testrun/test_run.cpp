@@ -72,7 +72,7 @@ void TestRun::execute_block() {
     return end();
   }
   items_.clear();
-  const auto executed = source_.step(items_);
+  const auto executed = source_.step(items_, contour_blocks_ < kLongestContour ? &check_ : nullptr);
   ++blocks_;
   if (executed) block_ = executed->source;
   if (executed && executed->depth == 0)
@@ -80,8 +80,7 @@ void TestRun::execute_block() {
       main_blocks_ = std::max<std::size_t>(main->blocks.size(), 1);
       main_index_ = main->find(block_.block).value_or(0) + 1;
     }
-  if (modal().radius != program::RadiusCompensation::off)
-    for (const geometry::PathItem& item : source_.programmed()) keep(item, contour_, contour_spots_);
+  follow_contour();
   for (const geometry::PathItem& item : items_) {
     if (has_ended_) return;
     take(item);
@@ -93,6 +92,18 @@ void TestRun::execute_block() {
   if (time_.seconds() < order_.most_machine_s) return;
   report({.kind = Kind::too_long, .block = block_, .most = order_.most_machine_s / 3600});
   end();
+}
+
+/// Keeps what was programmed under compensation for the picture, and tells where its path cuts into it (DEC-09).
+void TestRun::follow_contour() {
+  const bool is_compensated = modal().radius != program::RadiusCompensation::off;
+  contour_blocks_ = is_compensated ? contour_blocks_ + 1 : 0;
+  if (is_compensated)
+    for (const geometry::PathItem& item : source_.programmed()) keep(item, contour_, contour_spots_);
+  for (; gouges_ < check_.findings().size(); ++gouges_) {
+    const language::Error error = program::error_of(check_.findings()[gouges_]);
+    report({.kind = Kind::error, .block = {error.program, error.block}, .error = error});
+  }
 }
 
 /// Appends while there is room; counts all.

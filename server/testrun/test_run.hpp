@@ -19,6 +19,7 @@
 
 #include "drawing/graphic_view.hpp"
 #include "drawing/strokes.hpp"
+#include "geometry/contour_check.hpp"
 #include "machine/machine_data.hpp"
 #include "program/path_source.hpp"
 #include "testrun/finding.hpp"
@@ -43,7 +44,7 @@ struct TestOrder {
   bool ends_at_travel = true;           ///< false: goes on behind a limit switch, as if there were none
   std::uint64_t most_blocks = 200'000;  ///< then it counts as endless
   double most_machine_s = 36'000;       ///< then it is broken off: ten hours
-  std::size_t most_spots = 100'000;     ///< kept of the path, and of the contour, for the picture; 12 bytes each
+  std::size_t most_spots = 50'000;      ///< kept of the path, and of the contour, for the picture; 12 bytes each
 };
 
 /// Travel of a machine whose axes stand in the middle at the start (DEC-23).
@@ -52,6 +53,8 @@ struct TestOrder {
 class TestRun {
  public:
   static constexpr std::size_t kMostFindings = 200;
+  /// Contours of more blocks are not checked for ways that cut into them: 400 bytes for each element.
+  static constexpr std::size_t kLongestContour = 2000;
 
   /// errors   as PathSource::begin: the program cannot be started at all
   [[nodiscard]] static std::expected<TestRun, language::Error> begin(TestOrder order);
@@ -79,6 +82,7 @@ class TestRun {
  private:
   TestRun(program::PathSource source, TestOrder order);
   void execute_block();
+  void follow_contour();
   void take(const geometry::PathItem& item);
   void keep(const geometry::PathItem& item, std::vector<drawing::Stroke>& strokes, std::size_t& spots) const;
   void take_way(const geometry::PathItem& item);
@@ -95,6 +99,9 @@ class TestRun {
   std::vector<geometry::PathItem> items_;  ///< of the newest block
   std::vector<drawing::Stroke> path_, contour_;
   std::size_t spots_ = 0, contour_spots_ = 0;
+  geometry::ContourCheck check_;
+  std::size_t gouges_ = 0;          ///< findings of check_ that were told
+  std::size_t contour_blocks_ = 0;  ///< of the contour that is followed now
   std::vector<Finding> findings_;
   std::size_t findings_left_off_ = 0;
   std::uint64_t blocks_ = 0;

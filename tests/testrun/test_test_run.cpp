@@ -133,6 +133,19 @@ TEST_P(Errors, EndTheRun) {
   EXPECT_THAT(explain(finding, language::Tongue::german), HasSubstr("P0001 N00"));
 }
 
+/// A bay behind an opening of 8 mm, and a cutter of 10 mm.
+TEST(TestRun, AContourThatCutsIntoItselfIsFound_DEC_09) {
+  const TestRun test = run(order_of(with_tools(
+      "P0001N001G11F1000T01M03N002G42N003G01X+20000Y+20000N004G01X+60000N005G01Y+40000N006G01X-26000N007G01Y-5000"
+      "N008G01X+16000N009G01Y-15000N010G01X-40000N011G01Y+15000N012G01X+16000N013G01Y+5000N014G01X-26000"
+      "N015G01Y-40000N016G01Y-20000N017G40N018G01X-20000")));
+  ASSERT_EQ(test.findings().empty(), false);
+  for (const Finding& finding : test.findings()) {
+    ASSERT_EQ(finding.kind, Kind::error) << explain(finding, language::Tongue::english);
+    EXPECT_EQ(finding.error->code, language::ErrorCode::too_close) << explain(finding, language::Tongue::english);
+  }
+}
+
 TEST(TestRun, WhatCannotBeStartedIsAnError) {
   TestOrder order = order_of(with_tools("P0001N001G11F1000"));
   order.start.program = 5;
