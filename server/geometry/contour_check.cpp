@@ -32,15 +32,16 @@ void ContourCheck::begin(Plane plane, double radius_mm) {
   first_of_chain_ = findings_.size();
 }
 
-void ContourCheck::append(SourceBlock source, const PathElement& element, std::vector<Placed>& pieces) {
+void ContourCheck::append(SourceBlock source, const PathElement& element, std::uint32_t number,
+                          std::vector<Placed>& pieces) {
   pieces_.clear();
   append_pieces(element, axes_of(plane_), pieces_);
-  for (const PlanePiece& piece : pieces_) pieces.push_back({.piece = piece, .element = elements_, .source = source});
+  for (const PlanePiece& piece : pieces_) pieces.push_back({.piece = piece, .element = number, .source = source});
 }
 
 void ContourCheck::add_contour(SourceBlock source, const PathElement& element) {
   ++elements_;
-  append(source, element, contour_);
+  append(source, element, elements_, contour_);
   const PlaneAxes& axes = axes_of(plane_);
   const auto ends = [&](const auto& way) {
     if (joints_.empty()) joints_.push_back(in_plane(way.from, axes));
@@ -49,7 +50,9 @@ void ContourCheck::add_contour(SourceBlock source, const PathElement& element) {
   std::visit(ends, element);
 }
 
-void ContourCheck::add_path(SourceBlock source, const PathElement& way) { append(source, way, ways_); }
+void ContourCheck::add_path(SourceBlock source, const PathElement& way) { append(source, way, elements_, ways_); }
+
+void ContourCheck::add_corner(SourceBlock source, const Arc& corner) { append(source, corner, 0, ways_); }
 
 void ContourCheck::end() {
   if (!is_open_) return;
@@ -86,7 +89,7 @@ void ContourCheck::plant_tree() {
 }
 
 void ContourCheck::compare(const Placed& way, const Placed& wall) {
-  // Beside its own element a way is at the tool's radius by construction.
+  // Beside its own element a way keeps the tool's radius by construction; a corner need not (an arc that returns).
   if (way.element == wall.element) return;
   constexpr double kSameHeight_mm = 1e-9;
   if (way.piece.lowest > wall.piece.highest + kSameHeight_mm || wall.piece.lowest > way.piece.highest + kSameHeight_mm)
