@@ -61,7 +61,8 @@ class ContourCheck {
   std::vector<PlaneVector> joints_;  ///< where each element begins, and where the newest ends
   std::vector<Placed> contour_, ways_;
   std::vector<PlanePiece> pieces_;  ///< of the newest element
-  PieceTree tree_;                  ///< over contour_
+  std::vector<PieceBox> boxes_;     ///< of contour_, once it is complete
+  PieceTree tree_;                  ///< over boxes_
   std::size_t first_of_chain_ = 0;  ///< in findings_
   std::vector<StageFault> findings_;
 };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "geometry/path_item.hpp"
@@ -67,22 +68,31 @@ inline double distance(Spot spot, const PathElement& element) {
   return std::min(at_ends, std::abs(distance(spot, {arc.center.x, arc.center.y}) - radius));
 }
 
-/// The smallest distance of a way from an element: many samples, then ever finer ones around each dip between them.
-inline double distance(const PathElement& way, const PathElement& element) {
-  constexpr int kSamples = 100;
-  const auto at = [&](double t) { return distance(spot_at(way, std::clamp(t, 0.0, 1.0)), element); };
-  double smallest = std::min(at(0), at(1));
-  for (int i = 0; i <= kSamples; ++i) {
-    double best = static_cast<double>(i) / kSamples, dip = at(best);
-    if (dip > at(best - 1.0 / kSamples) || dip > at(best + 1.0 / kSamples)) continue;
-    for (double step = 0.5 / kSamples; step > 1e-12; step /= 2) {
-      for (const double t : {best - step, best + step}) {
-        if (at(t) >= dip) continue;
-        dip = at(t);
-        best = t;
-      }
-    }
-    smallest = std::min(smallest, dip);
+inline double length(const PathElement& element) {
+  if (const auto* line = std::get_if<Line>(&element))
+    return distance({line->from.x, line->from.y}, {line->to.x, line->to.y});
+  const auto& arc = std::get<Arc>(element);
+  return swept(arc) * distance({arc.from.x, arc.from.y}, {arc.center.x, arc.center.y});
+}
+
+/// The smallest distance of a way from an element, if it is below `limit`; else some greater one.
+///
+/// The distance cannot change faster than the way goes on, so a stretch whose middle is far away is no place to look;
+/// every other stretch is halved until it is shorter than a fifth of a micrometre.
+inline double distance(const PathElement& way, const PathElement& element, double limit) {
+  constexpr double kShortest_mm = 1e-4;
+  const double whole = length(way);
+  double smallest = std::min(distance(spot_at(way, 0), element), distance(spot_at(way, 1), element));
+  std::vector<std::pair<double, double>> pending{{0.0, 1.0}};
+  while (!pending.empty()) {
+    const auto [from, to] = pending.back();
+    pending.pop_back();
+    const double middle = (from + to) / 2, half_mm = (to - from) / 2 * whole;
+    const double found = distance(spot_at(way, middle), element);
+    smallest = std::min(smallest, found);
+    if (found - half_mm > std::min(limit, smallest - kShortest_mm) || half_mm < kShortest_mm) continue;
+    pending.emplace_back(from, middle);
+    pending.emplace_back(middle, to);
   }
   return smallest;
 }

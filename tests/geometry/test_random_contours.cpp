@@ -117,14 +117,22 @@ Part part_of(const Contour& contour, const std::vector<PathElement>& elements) {
 
 constexpr std::size_t kFirstBlock = 3;  ///< of the contour
 
-/// The ways of the tool's centre beside the contour, without the entry, by the index of their element.
-std::vector<std::pair<std::size_t, PathElement>> ways_beside(const Outcome& outcome) {
-  std::vector<std::pair<std::size_t, PathElement>> ways;
+/// A way of the tool's centre, and the index of the element that it belongs to.
+struct WayBeside {
+  std::size_t index = 0;
+  PathElement way;
+  bool is_corner = false;  ///< an arc about the element's start
+};
+
+/// The ways beside the contour, without the entry.
+std::vector<WayBeside> ways_beside(const Outcome& outcome) {
+  std::vector<WayBeside> ways;
   for (const PathItem& item : outcome.items) {
     if (item.source.block < kFirstBlock) continue;
     const std::size_t index = item.source.block - kFirstBlock;
-    if (const auto* line = std::get_if<Line>(&item.what)) ways.emplace_back(index, *line);
-    if (const auto* arc = std::get_if<Arc>(&item.what)) ways.emplace_back(index, *arc);
+    if (!ways.empty() && ways.back().index == index) ways.back().is_corner = true;
+    if (const auto* line = std::get_if<Line>(&item.what)) ways.push_back({index, *line, false});
+    if (const auto* arc = std::get_if<Arc>(&item.what)) ways.push_back({index, *arc, false});
   }
   return ways;
 }
@@ -134,28 +142,27 @@ double gap_between(const PathElement& before, const PathElement& after) {
 }
 
 /// Each way keeps the radius from its element, a corner arc from its corner, and the ways are joined.
-void assert_beside(const std::vector<std::pair<std::size_t, PathElement>>& ways,
-                   const std::vector<PathElement>& contour, double radius) {
+void assert_beside(const std::vector<WayBeside>& ways, const std::vector<PathElement>& contour, double radius) {
   for (std::size_t i = 0; i < ways.size(); ++i) {
-    const auto& [index, way] = ways[i];
-    const bool is_corner = i + 1 < ways.size() && ways[i + 1].first == index;
-    for (const double t : {0.0, 0.37, 1.0}) {
-      const slow::Spot spot = slow::spot_at(way, t);
-      const double found =
-          is_corner ? slow::distance(spot, slow::spot_at(contour[index], 0)) : slow::distance(spot, contour[index]);
+    const WayBeside& beside = ways[i];
+    for (const double t : {0.0, 0.37, 0.81, 1.0}) {
+      const slow::Spot spot = slow::spot_at(beside.way, t);
+      const double found = beside.is_corner ? slow::distance(spot, slow::spot_at(contour[beside.index], 0))
+                                            : slow::distance(spot, contour[beside.index]);
       RC_ASSERT(std::abs(found - radius) < 1e-6);
     }
-    if (i > 0) RC_ASSERT(gap_between(ways[i - 1].second, way) <= 1e-6);
+    if (i > 0) RC_ASSERT(gap_between(ways[i - 1].way, beside.way) <= 1e-6);
   }
 }
 
 /// No way comes too close to any element unless the check says so, and it says nothing else.
-void assert_gouges(const std::vector<std::pair<std::size_t, PathElement>>& ways,
-                   const std::vector<PathElement>& contour, double radius, const std::vector<StageFault>& gouges) {
+void assert_gouges(const std::vector<WayBeside>& ways, const std::vector<PathElement>& contour, double radius,
+                   const std::vector<StageFault>& gouges) {
   std::map<std::pair<std::size_t, std::size_t>, double> nearest;
-  for (const auto& [index, way] : ways) {
+  for (const auto& [index, way, is_corner] : ways) {
     for (std::size_t wall = 0; wall < contour.size(); ++wall) {
-      const double found = slow::distance(way, contour[wall]);
+      if (wall == index && !is_corner) continue;  // `assert_beside` has seen it
+      const double found = slow::distance(way, contour[wall], radius - kMicrometre / 2);
       const auto [place, is_new] = nearest.try_emplace({index, wall}, found);
       if (!is_new) place->second = std::min(place->second, found);
     }
@@ -167,7 +174,7 @@ void assert_gouges(const std::vector<std::pair<std::size_t, PathElement>>& ways,
     if (reported != gouges.end())
       RC_ASSERT(std::abs(reported->found_mm - found) < kMicrometre);
     else if (gouges.size() < ContourCheck::kMostFindings)
-      RC_ASSERT(found > radius - 1.001 * kMicrometre);
+      RC_ASSERT(found > radius - 1.1 * kMicrometre);
   }
 }
 
@@ -218,17 +225,44 @@ RC_GTEST_PROP(RandomContours, RunBesideTheContourOrNameAnElementThatCannotBe, ()
       RC_ASSERT(is_impossible(contour, elements, blamed));
     }
     std::size_t complete = 0;  // elements whose way has left
-    for (const auto& [index, way] : ways) complete = std::max(complete, index + 1);
+    for (const WayBeside& beside : ways) complete = std::max(complete, beside.index + 1);
     known.resize(complete);
   } else {
     RC_TAG(std::string("followed"));
     const double to_left = contour.is_left ? contour.radius : -contour.radius;
     const slow::Spot begin = slow::spot_at(elements.front(), 0, to_left);
     const slow::Spot end = slow::spot_at(elements.back(), 1, to_left);
-    RC_ASSERT(slow::distance(slow::spot_at(ways.front().second, 0), begin) < 1e-6);
-    RC_ASSERT(slow::distance(slow::spot_at(ways.back().second, 1), end) < 1e-6);
+    RC_ASSERT(slow::distance(slow::spot_at(ways.front().way, 0), begin) < 1e-6);
+    RC_ASSERT(slow::distance(slow::spot_at(ways.back().way, 1), end) < 1e-6);
   }
   if (!is_closed(known)) assert_gouges(ways, known, contour.radius, outcome.gouges);
+}
+
+/// Long contours with gentle bends and a small tool, which wander and come near themselves.
+rc::Gen<Step> gentle_step() {
+  return rc::gen::map(rc::gen::tuple(rc::gen::inRange(-1000, 1001), rc::gen::inRange(0, 3),
+                                     rc::gen::inRange(3'000, 15'000), rc::gen::inRange(-120, 121)),
+                      [](const auto& drawn) {
+                        const auto& [bend, kind, length_um, degrees] = drawn;
+                        Step step{.bend = bend / 1000.0 * 0.4, .length = length_um / 1000.0};
+                        if (kind == 0 && degrees != 0) {
+                          step.radius = step.length;
+                          step.sweep = degrees / 180.0 * pi;
+                        }
+                        return step;
+                      });
+}
+
+RC_GTEST_PROP(RandomContours, GougesOfLongContoursAreAllFound, ()) {
+  Contour contour;
+  contour.radius = full(rc::gen::inRange(200, 2'000)) / 1000.0;
+  contour.is_left = *rc::gen::arbitrary<bool>();
+  contour.steps = full(rc::gen::container<std::vector<Step>>(std::size_t{30}, gentle_step()));
+  const std::vector<PathElement> elements = elements_of(contour);
+  const Outcome outcome = run(part_of(contour, elements));
+  RC_TAG(std::string(outcome.fault ? "fault" : outcome.gouges.empty() ? "clean" : "gouges"));
+  if (outcome.fault || is_closed(elements)) return;
+  assert_gouges(ways_beside(outcome), elements, contour.radius, outcome.gouges);
 }
 
 }  // namespace
