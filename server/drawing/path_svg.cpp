@@ -22,6 +22,7 @@ constexpr std::string_view kStyle =
     ".title{font-size:24px;font-weight:bold}.label{font-size:14px}.mark{font-size:15px;font-weight:bold}"
     ".frame{fill:none;stroke:#222;stroke-width:1}.tick{stroke:#bbb;stroke-width:0.6}"
     ".workpiece{fill:#e8e2d4;stroke:#a89c80;stroke-width:1}.edge{stroke:#a89c80;stroke-width:1}"
+    ".contour{fill:none;stroke:#222;stroke-width:3.2;stroke-linejoin:round}"
     ".feed{fill:none;stroke:#0b4f9e;stroke-width:2;stroke-linejoin:round}"
     ".rapid{fill:none;stroke:#c04000;stroke-width:1.4;stroke-dasharray:7 5}";
 
@@ -72,10 +73,16 @@ std::array<geometry::Point, 8> corners_of(const Box& box) {
   return corners;
 }
 
-Bounds bounds_of(const std::vector<Stroke>& strokes, const SvgOptions& options) {
+/// Everything that is drawn along the path.
+struct Strokes {
+  std::vector<Stroke> contour, path;
+};
+
+Bounds bounds_of(const Strokes& strokes, const SvgOptions& options) {
   Bounds bounds;
-  for (const Stroke& stroke : strokes)
-    for (const geometry::Point& point : stroke.points) bounds.take(project(point, options.view));
+  for (const std::vector<Stroke>* layer : {&strokes.contour, &strokes.path})
+    for (const Stroke& stroke : *layer)
+      for (const geometry::Point& point : stroke.points) bounds.take(project(point, options.view));
   if (options.workpiece)
     for (const geometry::Point& corner : corners_of(*options.workpiece)) bounds.take(project(corner, options.view));
   return bounds;
@@ -112,7 +119,7 @@ std::string mark_text(double mm) {
 
 class Drawing {
  public:
-  Drawing(const SvgOptions& options, const std::vector<Stroke>& strokes)
+  Drawing(const SvgOptions& options, const Strokes& strokes)
       : options_(options), strokes_(strokes), sheet_(bounds_of(strokes, options)) {}
 
   std::string text() {
@@ -124,7 +131,8 @@ class Drawing {
         "\n");
     add_workpiece();
     options_.view == View::iso ? add_space_axes() : add_frame();
-    for (const Stroke& stroke : strokes_) add_stroke(stroke);
+    for (const Stroke& stroke : strokes_.contour) add_stroke("contour", stroke);
+    for (const Stroke& stroke : strokes_.path) add_stroke(stroke.is_rapid ? "rapid" : "feed", stroke);
     add_ends();
     add_texts();
     return out_ + "</svg>\n";
@@ -191,7 +199,7 @@ class Drawing {
 
   /// X, Y and Z from the point that was the start, each with its marks.
   void add_space_axes() {
-    const geometry::Point origin = strokes_.empty() ? geometry::Point{} : strokes_.front().points.front();
+    const geometry::Point origin = strokes_.path.empty() ? geometry::Point{} : strokes_.path.front().points.front();
     const double tick = sheet_.tick_mm();
     constexpr std::array<std::pair<double geometry::Point::*, std::string_view>, 3> kAxes{
         {{&geometry::Point::x, "X / mm"}, {&geometry::Point::y, "Y / mm"}, {&geometry::Point::z, "Z / mm"}}};
@@ -212,8 +220,8 @@ class Drawing {
     }
   }
 
-  void add_stroke(const Stroke& stroke) {
-    add(R"(<polyline class="{}" points=")", stroke.is_rapid ? "rapid" : "feed");
+  void add_stroke(std::string_view style, const Stroke& stroke) {
+    add(R"(<polyline class="{}" points=")", style);
     for (const geometry::Point& point : stroke.points) {
       const Flat at = place(point);
       add("{:.2f},{:.2f} ", at.right, at.up);
@@ -223,8 +231,9 @@ class Drawing {
   }
 
   void add_ends() {
-    if (strokes_.empty()) return;
-    const Flat start = place(strokes_.front().points.front()), end = place(strokes_.back().points.back());
+    const std::vector<Stroke>& path = strokes_.path;
+    if (path.empty()) return;
+    const Flat start = place(path.front().points.front()), end = place(path.back().points.back());
     add(R"(<circle cx="{:.2f}" cy="{:.2f}" r="6" fill="#1a7f37"/>)"
         "\n",
         start.right, start.up);
@@ -238,19 +247,21 @@ class Drawing {
   void add_texts() {
     add_label("title", "start", {Sheet::kLeft_px, 36}, options_.title);
     const Captions& captions = options_.captions;
-    double right = Sheet::kWidth_px - Sheet::kRight_px - 330;
+    const bool has_contour = !strokes_.contour.empty();
+    double right = Sheet::kWidth_px - Sheet::kRight_px - (has_contour ? 445 : 330);
     const auto add_entry = [&](std::string_view style, std::string_view caption) {
       add_segment(style, {right, 32}, {right + 30, 32});
       add_label("label", "start", {right + 36, 37}, caption);
       right += 115;
     };
+    if (has_contour) add_entry("contour", captions.contour);
     add_entry("feed", captions.feed);
     add_entry("rapid", captions.rapid);
     if (options_.workpiece) add_entry("edge", captions.workpiece);
   }
 
   const SvgOptions& options_;
-  const std::vector<Stroke>& strokes_;
+  const Strokes& strokes_;
   Sheet sheet_;
   std::string out_;
 };
@@ -258,7 +269,7 @@ class Drawing {
 }  // namespace
 
 std::string path_svg(std::span<const geometry::PathItem> path, const SvgOptions& options) {
-  const std::vector<Stroke> strokes = strokes_of(path);
+  const Strokes strokes{.contour = strokes_of(options.contour), .path = strokes_of(path)};
   return Drawing(options, strokes).text();
 }
 

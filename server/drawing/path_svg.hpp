@@ -20,13 +20,15 @@ struct Box {
 
 /// The words in the drawing.
 struct Captions {
-  std::string start = "Start", end = "Ende", feed = "Vorschub", rapid = "Eilgang", workpiece = "Werkstück";
+  std::string start = "Start", end = "Ende", feed = "Vorschub", rapid = "Eilgang", workpiece = "Werkstück",
+              contour = "Kontur";
 };
 
 struct SvgOptions {
   std::string title;  ///< any text; escaped here
   View view = View::xy;
   std::optional<Box> workpiece{};
+  std::span<const geometry::PathItem> contour{};  ///< the programmed contour, drawn where the tool keeps beside it
   Captions captions{};
 };
 

@@ -24,6 +24,7 @@
 #include "lab/passwords.hpp"
 #include "lab/run_recorder.hpp"
 #include "lab/visit.hpp"
+#include "lab/worker_thread.hpp"
 #include "machine/simulated_machine.hpp"
 #include "machine/tick_thread.hpp"
 
@@ -141,6 +142,7 @@ class Lab {
   db::Post post_;
   Clock clock_;
   PasswordWorker passwords_;
+  WorkerThread long_work_;  ///< of the controls: checks before a start
   LoginGuard guard_;
   Beats beats_;
   Authority authority_;

@@ -233,7 +233,9 @@ void Lab::load_desk(const VisitPtr& visit) {
                if (!stored) return refuse(visit, v1::LOGIN_RESULT_REFUSED, stored.error().text);
                if (desk_of(visit->person.id)) return admit_station(visit);  // the same student was faster elsewhere
                const auto& person = visit->person;
-               const auto desk = std::make_shared<Desk>(person, settings_for(configuration_, person, tongue_of(person)),
+               panel::Settings settings = settings_for(configuration_, person, tongue_of(person));
+               settings.long_work = [this](std::function<void()> job) { long_work_.enqueue(std::move(job)); };
+               const auto desk = std::make_shared<Desk>(person, std::move(settings),
                                                         memory_of(stored->programs, configuration_.memory_bytes),
                                                         machine_data_of(stored->machine_data), ticks_);
                if (!stored->state.empty()) desk->control.restore_state(stored->state);

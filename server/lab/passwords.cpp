@@ -4,13 +4,11 @@
 #include <sodium.h>
 
 #include <array>
-#include <condition_variable>
-#include <deque>
-#include <mutex>
 #include <new>
 #include <stdexcept>
 #include <string_view>
-#include <thread>
+
+#include "lab/worker_thread.hpp"
 
 namespace cnclab::lab {
 
@@ -57,45 +55,18 @@ std::string hash_password(const std::string& password) {
 }
 
 struct PasswordWorker::Impl {
-  explicit Impl(db::Post to_lab) : post(std::move(to_lab)), nobody(hash_password("nobody")) {
-    thread = std::jthread([this](const std::stop_token& stop) { work(stop); });
-  }
-
-  void enqueue(std::function<void()> job) {
-    {
-      const std::lock_guard lock(mutex);
-      jobs.push_back(std::move(job));
-    }
-    waiting.notify_one();
-  }
-
-  void work(const std::stop_token& stop) {
-    for (;;) {
-      std::function<void()> job;
-      {
-        std::unique_lock lock(mutex);
-        if (!waiting.wait(lock, stop, [this] { return !jobs.empty(); })) return;
-        if (stop.stop_requested()) return;
-        job = std::move(jobs.front());
-        jobs.pop_front();
-      }
-      job();
-    }
-  }
+  explicit Impl(db::Post to_lab) : post(std::move(to_lab)), nobody(hash_password("nobody")) {}
 
   db::Post post;
   std::string nobody;  ///< compared with when there is no such name
-  std::mutex mutex;
-  std::condition_variable_any waiting;
-  std::deque<std::function<void()>> jobs;
-  std::jthread thread;
+  WorkerThread thread;
 };
 
 PasswordWorker::PasswordWorker(db::Post post) : impl_(std::make_unique<Impl>(std::move(post))) {}
 PasswordWorker::~PasswordWorker() = default;
 
 void PasswordWorker::verify(std::string password, std::string hash, std::function<void(bool)> done) {
-  impl_->enqueue([this, password = std::move(password), hash = std::move(hash), done = std::move(done)] {
+  impl_->thread.enqueue([this, password = std::move(password), hash = std::move(hash), done = std::move(done)] {
     const bool known = !hash.empty();
     const bool same = fits(password, known ? hash : impl_->nobody) && known;
     impl_->post([done, same] { done(same); });
@@ -103,7 +74,7 @@ void PasswordWorker::verify(std::string password, std::string hash, std::functio
 }
 
 void PasswordWorker::hash(std::string password, std::function<void(std::string)> done) {
-  impl_->enqueue([this, password = std::move(password), done = std::move(done)] {
+  impl_->thread.enqueue([this, password = std::move(password), done = std::move(done)] {
     impl_->post([done, hash = hash_password(password)] { done(hash); });
   });
 }

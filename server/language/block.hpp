@@ -57,7 +57,8 @@ struct Function {
   friend bool operator==(const Function&, const Function&) = default;
 };
 
-inline constexpr std::size_t kMostWords = 10;
+/// No function has more, in all its planes together (G05: X Y Z R F S T M).
+inline constexpr std::size_t kMostWords = 8;
 using Words = boost::container::static_vector<Word, kMostWords>;
 
 struct Block {
@@ -73,6 +74,8 @@ struct Block {
   }
   friend bool operator==(const Block&, const Block&) = default;
 };
+
+static_assert(sizeof(Block) <= 88, "100 000 blocks are to fit into 9 MB");
 
 /// A program: blocks in ascending order of their numbers, which may have gaps (EDIT-032). P0000 is the tool table.
 struct Program {

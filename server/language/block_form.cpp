@@ -2,6 +2,7 @@
 #include "language/block_form.hpp"
 
 #include <array>
+#include <bit>
 #include <iterator>
 
 #include "language/form_table.hpp"
@@ -67,12 +68,47 @@ constexpr AddressSet set_of_words(const BlockForm& form) {
   return set;
 }
 
-constexpr auto make_form_sets() {
-  std::array<AddressSet, std::size(kForms)> sets{};
-  for (std::size_t i = 0; i < std::size(kForms); ++i) sets[i] = set_of_words(kForms[i]);
+constexpr AddressSet set_of_required_words(const BlockForm& form) {
+  AddressSet set = 0;
+  switch (form.needed) {
+    case Needed::all:
+      return set_of_words(form);
+    case Needed::two_axes_and_radius:
+      for (const Address address : form.words.first(3)) set |= bit_of(address);  // they stand first in every plane
+      return set;
+    case Needed::cycle:
+      for (const Address address : form.required_words) set |= bit_of(address);
+      return set;
+    case Needed::nothing:
+    case Needed::any_axis:
+    case Needed::any_word:
+      return set;
+  }
+  return set;
+}
+
+using FormSets = std::array<AddressSet, std::size(kForms)>;
+
+template <typename SetOf>
+constexpr FormSets make_form_sets(SetOf set_of) {
+  FormSets sets{};
+  for (std::size_t i = 0; i < std::size(kForms); ++i) sets[i] = set_of(kForms[i]);
   return sets;
 }
-constexpr auto kFormSets = make_form_sets();
+constexpr FormSets kFormSets = make_form_sets(set_of_words);
+constexpr FormSets kRequiredSets = make_form_sets(set_of_required_words);
+
+/// No function has more words than a block has room for, not even with those of all its planes.
+constexpr bool blocks_hold_all_words() {
+  for (const BlockForm& form : kForms) {
+    AddressSet set = 0;
+    for (const BlockForm& other : kForms)
+      if (other.function == form.function) set |= set_of_words(other);
+    if (form.words.size() > kMostWords || static_cast<std::size_t>(std::popcount(set)) > kMostWords) return false;
+  }
+  return true;
+}
+static_assert(blocks_hold_all_words());
 
 }  // namespace
 
@@ -97,6 +133,10 @@ bool is_plane_dependent(Function function) {
 
 AddressSet addresses_of(const BlockForm& form) { return kFormSets[static_cast<std::size_t>(&form - kForms)]; }
 
+AddressSet required_addresses_of(const BlockForm& form) {
+  return kRequiredSets[static_cast<std::size_t>(&form - kForms)];
+}
+
 AddressSet addresses_in_any_plane(Function function) {
   AddressSet set = 0;
   for (const Plane plane : kAllPlanes)
@@ -119,6 +159,14 @@ Plane plane_of_words(const Block& block, Plane fallback) {
   AddressSet words = 0;
   for (const Word& word : block.words) words |= bit_of(word.address);
   return plane_of_words(block.function, words, fallback);
+}
+
+Plane plane_behind(const Block& block, Plane before) {
+  if (block.function.kind != Kind::g) return before;
+  if (block.function.code == 17) return Plane::xy;
+  if (block.function.code == 18) return Plane::xz;
+  if (block.function.code == 19) return Plane::yz;
+  return before;
 }
 
 bool is_known_m(std::int64_t code) {

@@ -3,6 +3,7 @@
 //   A block ends where a letter stands that it cannot have any more: N, P, "%", a separator, the end (in P0000 also T).
 //   G20 to G23 and the jumps have words N and P themselves. There "N" and three digits are the next block's beginning
 //   exactly when a function follows, since behind a target none can stand.
+//   "M" is a word or, before a "D", the mark of the machine data.
 #include "language/block_reader.hpp"
 
 #include <algorithm>
@@ -55,16 +56,6 @@ bool BlockReader::fail(ErrorCode code, char word, std::string detail, std::strin
   return false;
 }
 
-std::optional<std::uint16_t> BlockReader::read_digits(int count) {
-  std::uint16_t value = 0;
-  for (; count > 0 && cursor_.is_digit(); --count) {
-    value = static_cast<std::uint16_t>(value * 10 + (cursor_.current() - '0'));
-    cursor_.advance();
-  }
-  if (count > 0) return std::nullopt;
-  return value;
-}
-
 BlockReader::Number BlockReader::read_number() {
   Number number;
   for (; cursor_.is_digit(); cursor_.advance()) {
@@ -78,7 +69,7 @@ std::optional<BlockStart> BlockReader::read_start() {
   const char letter_of_block = cursor_.current();
   word_line_ = cursor_.line();
   cursor_.advance();
-  const auto number = read_digits(3);
+  const auto number = cursor_.read_digits(3);
   if (!number || !is_number(*number, letter_of_block == 'T')) {
     std::string found;
     if (number) append_digits(found, *number, 3);
@@ -107,7 +98,7 @@ bool BlockReader::read_function(Block& block, bool is_tool) {
   }
   const auto kind = cursor_.current() == 'G' ? Function::Kind::g : Function::Kind::parametric;
   cursor_.advance();
-  const auto code = read_digits(2);
+  const auto code = cursor_.read_digits(2);
   if (!code) return fail(ErrorCode::text_malformed, 'G', "", kind == Function::Kind::g ? "G00..G91" : "\\00..\\54");
   block.function = {kind, static_cast<std::uint8_t>(*code)};
   if (find_form(block.function, Plane::xy, {}) == nullptr)
@@ -136,19 +127,36 @@ bool BlockReader::read_words(Block& block, bool is_tool) {
   const AddressSet allowed = addresses_in_any_plane(block.function);
   if ((allowed & bit_of(Address::operand)) != 0) return read_operands(block, *find_form(block.function, Plane::xy, {}));
   AddressSet found = 0;
-  while (!next_start_ && !ends_block(allowed & ~found, is_tool)) {
+  while (has_read_block_alone() && !ends_block(allowed & ~found, is_tool)) {
     const char c = cursor_.current();
     word_line_ = cursor_.line();
-    if (!is_letter(c)) return fail(ErrorCode::text_malformed, 0, std::string(1, c));
+    if (c == 'M') {
+      if (read_machine_data_mark()) break;
+    } else {
+      cursor_.advance();
+    }
+    if (!may_have(block.function, c, allowed, found)) return false;
     const auto address = static_cast<Address>(c);
-    const AddressSet bit = bit_of(address);
-    if ((allowed & bit) == 0) return fail(ErrorCode::word_not_allowed, c, "", letters_of(block.function, Plane::xy));
-    if ((found & bit) != 0) return fail(ErrorCode::word_not_allowed, c, "2×");
-    cursor_.advance();
     if (!read_word(block, address, is_tool)) return false;
-    if (!next_start_) found |= bit;
+    if (!next_start_) found |= bit_of(address);
   }
   return finish(block, found);
+}
+
+bool BlockReader::may_have(Function function, char c, AddressSet allowed, AddressSet found) {
+  if (!is_letter(c)) return fail(ErrorCode::text_malformed, 0, std::string(1, c));
+  const AddressSet bit = bit_of(static_cast<Address>(c));
+  if ((allowed & bit) == 0) return fail(ErrorCode::word_not_allowed, c, "", letters_of(function, Plane::xy));
+  if ((found & bit) != 0) return fail(ErrorCode::word_not_allowed, c, "2×");
+  return true;
+}
+
+bool BlockReader::read_machine_data_mark() {
+  cursor_.advance();
+  if (cursor_.current() != 'D') return false;
+  cursor_.advance();
+  has_machine_data_mark_ = true;
+  return true;
 }
 
 bool BlockReader::finish(Block& block, AddressSet found) {
@@ -182,7 +190,9 @@ bool BlockReader::read_operands(Block& block, const BlockForm& form) {
   }
   if (ends_block(0, false)) return true;
   word_line_ = cursor_.line();
-  return fail(ErrorCode::word_not_allowed, cursor_.current());
+  const char c = cursor_.current();
+  if (c == 'M' && read_machine_data_mark()) return true;
+  return fail(ErrorCode::word_not_allowed, c);
 }
 
 bool BlockReader::read_word(Block& block, Address address, bool is_tool) {
@@ -206,7 +216,7 @@ bool BlockReader::read_word(Block& block, Address address, bool is_tool) {
 /// "#04": two digits, 00 to 69.
 bool BlockReader::read_parameter_number(Word& word) {
   cursor_.advance();
-  const auto number = read_digits(2);
+  const auto number = cursor_.read_digits(2);
   if (!number) return fail(ErrorCode::text_malformed, letter(word.address), "#", "#00..#69");
   if (*number > kHighestParameter) {
     std::string found = "#";
@@ -214,7 +224,8 @@ bool BlockReader::read_parameter_number(Word& word) {
     return fail(ErrorCode::word_out_of_range, letter(word.address), std::move(found), "#00..#69");
   }
   word.is_parameter = true;
-  return take_number(word, *number);
+  word.number = *number;
+  return true;
 }
 
 /// Integer 1/1000 mm, or mm with a decimal point (D-101).
@@ -262,7 +273,7 @@ bool BlockReader::read_plain_number(Word& word) {
 /// P and N of jumps and calls have all their digits, since blocks and programs begin with the same letters.
 bool BlockReader::read_target(Word& word) {
   const WordFormat& format = format_of(word.address);
-  const auto number = read_digits(format.digits);
+  const auto number = cursor_.read_digits(format.digits);
   if (!number) return fail(ErrorCode::text_malformed, letter(word.address), "", range_text(format));
   if (word.address == Address::N && starts_function()) {
     if (*number == 0) return fail(ErrorCode::block_number_wrong, 'N', "000", "N001..N999");
@@ -287,6 +298,8 @@ void BlockReader::recover(bool is_tool) {
       if (find_program()) return;
     } else if (c == (is_tool ? 'T' : 'N')) {
       if (find_start(is_tool)) return;
+    } else if (c == 'M') {
+      if (read_machine_data_mark()) return;
     } else {
       cursor_.advance();
     }
@@ -296,7 +309,7 @@ void BlockReader::recover(bool is_tool) {
 /// "P0001N001G": a program's beginning, not a target.
 bool BlockReader::find_program() {
   cursor_.advance();
-  const auto program = read_digits(4);
+  const auto program = cursor_.read_digits(4);
   if (!program) return false;
   const bool is_tool = *program == kToolTable;
   if (cursor_.current() != (is_tool ? 'T' : 'N') || !find_start(is_tool)) return false;
@@ -308,7 +321,7 @@ bool BlockReader::find_program() {
 bool BlockReader::find_start(bool is_tool) {
   const int line = cursor_.line();
   cursor_.advance();
-  const auto number = read_digits(3);
+  const auto number = cursor_.read_digits(3);
   if (!number || !is_number(*number, is_tool) || (!is_tool && !starts_function())) return false;
   next_start_ = BlockStart{*number, line};
   return true;

@@ -31,18 +31,21 @@ class BlockReader {
   [[nodiscard]] bool read(Block& block, bool is_tool);
 
   /// After a fault: the whole block has been read, so that nothing need be skipped.
-  [[nodiscard]] bool is_at_end_of_block() const { return is_at_end_ || next_start_.has_value(); }
+  [[nodiscard]] bool is_at_end_of_block() const { return is_at_end_ || !has_read_block_alone(); }
 
   /// Goes on to the next beginning of a block or program, to a separator, "%" or the end.
   void recover(bool is_tool);
 
-  [[nodiscard]] bool has_next_start() const { return next_start_.has_value(); }
+  /// Nothing of what follows has been read together with the block.
+  [[nodiscard]] bool has_read_block_alone() const { return !next_start_ && !has_machine_data_mark_; }
   [[nodiscard]] std::optional<BlockStart> take_next_start() { return std::exchange(next_start_, std::nullopt); }
   /// A program's number that `recover` has read together with its first block's beginning.
   [[nodiscard]] std::optional<std::uint16_t> take_next_program() { return std::exchange(next_program_, std::nullopt); }
 
-  /// Reads exactly `count` digits; nothing where there are fewer.
-  [[nodiscard]] std::optional<std::uint16_t> read_digits(int count);
+  /// The cursor stands on "M": reads it and, where it is "MD", the mark of the machine data. False for another M.
+  [[nodiscard]] bool read_machine_data_mark();
+  /// A mark "MD" has been read behind a block or by `recover`.
+  [[nodiscard]] bool take_machine_data_mark() { return std::exchange(has_machine_data_mark_, false); }
 
   /// What was wrong with the last read; program and block are the caller's to fill in.
   [[nodiscard]] Error& fault() { return fault_; }
@@ -57,6 +60,7 @@ class BlockReader {
   [[nodiscard]] bool read_operands(Block& block, const BlockForm& form);
   [[nodiscard]] bool read_words(Block& block, bool is_tool);
   [[nodiscard]] bool ends_block(AddressSet missing, bool is_tool) const;
+  [[nodiscard]] bool may_have(Function function, char c, AddressSet allowed, AddressSet found);
   [[nodiscard]] bool read_word(Block& block, Address address, bool is_tool);
   [[nodiscard]] bool read_parameter_number(Word& word);
   [[nodiscard]] bool read_length(Word& word);
@@ -74,6 +78,7 @@ class BlockReader {
   TapeCursor& cursor_;
   std::optional<BlockStart> next_start_;
   std::optional<std::uint16_t> next_program_;
+  bool has_machine_data_mark_ = false;
   int block_line_ = 0;
   int word_line_ = 0;
   bool is_at_end_ = false;

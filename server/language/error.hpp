@@ -24,7 +24,15 @@ enum class ErrorCode : std::uint8_t {
   feed_missing,             ///< F fehlt: a way or arc while F0000 is active (D-59)
   plane_wrong,              ///< Falsche Ebene (D-54, D-69, DEC-64)
   arc_wrong,                ///< Kreis falsch (D-55, D-65, D-66)
-  compensation_impossible,  ///< Korrektur nicht moeglich (D-64, D-71)
+  compensation_impossible,  ///< Korrektur nicht moeglich: not while a compensation is active (D-64)
+  arc_at_entry_or_exit,     ///< the same: a compensated contour is entered and left on lines (D-71)
+  inside_arc_too_small,     ///< the same: the tool does not fit into an inside arc (D-71)
+  no_intersection,          ///< the same: the paths of two elements do not meet at an inside corner (D-71)
+  runs_backwards,           ///< the same: an element would be run against its direction (DEC-09)
+  too_close,                ///< the same: the path cuts into another block's element, `detail` names it (DEC-09)
+  contour_unchecked,        ///< the same: on the lab machine a contour that depends on Input 1 (DEC-09)
+  rounding_without_lines,   ///< Kreis falsch: G10 not between two lines of the plane (D-66)
+  rounding_too_large,       ///< Kreis falsch: the radius of G10 does not fit into both lines (D-66)
   scale_not_allowed,        ///< Skalenfaktor unzulaessig (D-68)
   m_unknown,                ///< M nicht vorgesehen (D-51)
   cycle_value_wrong,        ///< Zykluswert falsch (D-85, D-89)
@@ -37,6 +45,7 @@ enum class ErrorCode : std::uint8_t {
   block_number_wrong,       ///< outside 001..999, twice, or no room behind N999 (D-47)
   program_number_wrong,     ///< outside 0000..9999
   text_malformed,           ///< a character or number that is no word (tape, files)
+  machine_datum_wrong,      ///< a recording's machine data: not N03=500000 (DEC-62)
   lower_case,               ///< a file with small letters outside comments (DEC-30)
   not_in_this_version,      ///< a function whose execution this version does not have
 };

@@ -2,29 +2,14 @@
 // dealt with here, so that the readers behind see the bare language. Private to this folder.
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string_view>
-#include <vector>
 
-#include "language/error.hpp"
+#include "language/error_list.hpp"
 #include "language/tape.hpp"
 
 namespace cnclab::language {
-
-/// Hostile text may hold an error in every byte: beyond these, errors are counted but not kept.
-inline constexpr std::size_t kMostErrors = 1000;
-
-/// Every error found so far, in the order of the text.
-struct ErrorList {
-  std::vector<Error> errors;
-  std::size_t dropped = 0;
-
-  void add(Error error) {
-    if (errors.size() < kMostErrors)
-      errors.push_back(std::move(error));
-    else
-      ++dropped;
-  }
-};
 
 /// Invariant: `current` is a character 21H..5FH that counts, or kEnd or kSeparator (both below 21H, so never text).
 class TapeCursor {
@@ -46,6 +31,17 @@ class TapeCursor {
       current_ = text_[position_];
     else
       skip();
+  }
+
+  /// Reads exactly `count` digits, at most 4; nothing where there are fewer.
+  [[nodiscard]] std::optional<std::uint16_t> read_digits(int count) {
+    std::uint16_t value = 0;
+    for (; count > 0 && is_digit(); --count) {
+      value = static_cast<std::uint16_t>(value * 10 + (current_ - '0'));
+      advance();
+    }
+    if (count > 0) return std::nullopt;
+    return value;
   }
 
  private:

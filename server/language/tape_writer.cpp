@@ -53,6 +53,19 @@ std::string write_program(const Program& program) {
   return text;
 }
 
+std::string write_machine_data(std::span<const MachineDatum> data) {
+  if (data.empty()) return {};
+  std::string text = "MD\n";
+  for (const MachineDatum& datum : data) {
+    text += 'N';
+    append_digits(text, datum.number, 2);
+    text += '=';
+    append_digits(text, datum.value, 1);
+    text += '\n';
+  }
+  return text;
+}
+
 std::uint32_t check_code(std::uint16_t program, std::string_view stored_block) {
   std::string place = "P";
   append_digits(place, program, 4);

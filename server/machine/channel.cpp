@@ -9,6 +9,13 @@
 
 namespace cnclab::machine {
 
+std::optional<bool> input_1_at_start(const Snapshot& now, std::uint64_t sequence) {
+  for (std::size_t i = 0; i < now.block_start_count; ++i) {
+    if (now.block_starts[i].sequence >= sequence) return now.block_starts[i].input_1;
+  }
+  return std::nullopt;
+}
+
 struct Channel::Impl {
   Impl(Machine& machine, const MachineData& data)
       : limits(motion_limits(data)), planner(queue, limits), ticker(machine, queue, mail, limits) {}

@@ -31,6 +31,7 @@
 #include <atomic>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -108,6 +109,12 @@ struct PowerOn {};
 using Command =
     std::variant<Abandon, Go, SwitchSpindle, SwitchCoolant, SetIstwert, Jog, RunReference, PowerOff, PowerOn>;
 
+/// Input 1 in a tick in which blocks began (D-56).
+struct BlockStart {
+  std::uint64_t sequence = 0;  ///< the last block that began in this tick; 0: the START that took the run up
+  bool input_1 = false;        ///< as that tick saw it
+};
+
 /// Everything the lab thread may want to know, as of one tick.
 struct Snapshot {
   std::uint64_t tick = 0;
@@ -131,13 +138,20 @@ struct Snapshot {
   bool coolant = false;
   std::array<std::uint8_t, 2> inputs{}, outputs{};
   bool input_1 = false;
-  std::array<bool, 4> limit{};     ///< a switch of this axis is active
-  std::uint8_t limit_axis = 0xFF;  ///< axis of the last ENDSCHALTER stop, 0xFF none
+  std::array<BlockStart, 4> block_starts{};  ///< of this run, oldest first; see input_1_at_start
+  std::uint8_t block_start_count = 0;        ///< how many of them there are
+  std::array<bool, 4> limit{};               ///< a switch of this axis is active
+  std::uint8_t limit_axis = 0xFF;            ///< axis of the last ENDSCHALTER stop, 0xFF none
   bool is_referenced = false;
   std::uint64_t signals = 0;  ///< acoustic signals so far
   std::uint64_t refused = 0;  ///< commands refused for their epoch so far
   std::uint64_t dropped = 0;  ///< commands that did not fit the state (or came before a stop) so far
 };
+
+/// Input 1 as it was in the tick in which block `sequence` (PathItem::sequence; 0 = START) of the run began, for G21
+/// and G23. Nothing before that block has begun. Blocks that began in one tick share an entry; of more than four ticks
+/// with starts the older ones are forgotten, and the oldest known answers for them.
+[[nodiscard]] std::optional<bool> input_1_at_start(const Snapshot& now, std::uint64_t sequence);
 
 /// One tick as it really was, for traces; trivially copyable.
 struct TracePoint {

@@ -1,4 +1,5 @@
 // A run in the tick: follow the path, execute the events between.
+#include <algorithm>
 #include <cmath>
 
 #include "machine/channel_tick.hpp"
@@ -44,6 +45,17 @@ void ChannelTick::run_tick(double tick_s, const motion::Demand& demand) noexcept
 
 void ChannelTick::pass_event() noexcept {
   if (follower_.pass_event()) come_to_rest(StopCause::single_block);
+}
+
+/// One entry per tick is enough: whatever began in it saw the same Input 1. The run's first tick is its START.
+void ChannelTick::note_block_start() noexcept {
+  auto& starts = run_.starts;
+  if (run_.start_count > 0 && sequence_ <= starts[run_.start_count - 1U].sequence) return;
+  if (run_.start_count == starts.size()) {
+    std::ranges::move(starts.begin() + 1, starts.end(), starts.begin());
+    --run_.start_count;
+  }
+  starts[run_.start_count++] = {sequence_, inputs_.input_1};
 }
 
 /// What the present place is called in the path: the next motion's start. The path never jumps, but after G69 only the

@@ -20,6 +20,7 @@ void ChannelTick::tick(std::int64_t now_ns, double tick_s) noexcept {
   const auto before = counters_.steps();
   activity_before_ = activity_;
   move(tick_s);
+  if (activity_before_ == Activity::run) note_block_start();
   send(before);
   report();
 }
@@ -139,6 +140,8 @@ void ChannelTick::report() noexcept {
   now.inputs = inputs_.cards;
   now.outputs = outputs_.cards;
   now.input_1 = inputs_.input_1;
+  now.block_starts = run_.starts;
+  now.block_start_count = run_.start_count;
   now.limit_axis = limit_axis_;
   now.is_referenced = referenced_[0] && referenced_[1] && referenced_[2];
   now.signals = signals_;

@@ -34,6 +34,8 @@ class ChannelTick {
     Waiting waiting = Waiting::no;  ///< for what the front event waits; kept through STOP (D-39)
     double dwell_left_s = 0;
     std::array<std::int64_t, 4> origin{};  ///< steps at path coordinate 0
+    std::array<BlockStart, 4> starts{};    ///< oldest first
+    std::uint8_t start_count = 0;
   };
 
   // channel_authority.cpp: who may, and what stops
@@ -69,6 +71,7 @@ class ChannelTick {
   [[nodiscard]] bool wait_tick(double tick_s) noexcept;
   [[nodiscard]] bool execute(const motion::Segment& event) noexcept;
   void pass_event() noexcept;
+  void note_block_start() noexcept;
   void anchor_path() noexcept;
   void anchor_at(const geometry::Point& place) noexcept;
   [[nodiscard]] bool place_axes(double tick_s) noexcept;

@@ -69,7 +69,8 @@ void begin_run(AutomatMode& mode, ControlState& state) {
                   .modal = mode.first_modal,
                   .parameters = state.parameters},
                  state.effective_data(),
-                 state.settings.vocabulary};
+                 state.settings.vocabulary,
+                 state.settings.long_work};
   if (!state.apply_data()) {
     state.hint = text(Text::said_not_at_rest, state.tongue());
     return;
@@ -165,7 +166,7 @@ void prepare_start(AutomatMode& mode, const ControlState& state) {
   mode.programs = state.memory.snapshot();
   mode.is_rebuilt = program != nullptr && state.settings.start_in_middle_rebuilds &&
                     mode.block_number() != program->blocks.front().number;
-  if (mode.is_rebuilt) mode.first_modal = program::rebuild_modal(*program, mode.block_number(), state.modal);
+  if (mode.is_rebuilt) mode.first_modal = program::rebuild_modal(mode.programs, *program, mode.block_number(), state.modal);
 }
 
 Place place_of(const AutomatMode& mode, const ControlState& state) {

@@ -20,6 +20,7 @@
 #include "machine/channel.hpp"
 #include "machine/machine_data.hpp"
 #include "panel/connection.hpp"
+#include "panel/long_work.hpp"
 #include "panel/memory.hpp"
 #include "panel/mode.hpp"
 #include "shared/key.hpp"
@@ -34,6 +35,7 @@ struct Settings {
   bool hints = true;                     ///< row 18 says why a key was ignored
   bool start_in_middle_rebuilds = true;  ///< DEC-26
   int memory_bytes = 16384;
+  LongWork long_work = do_at_once;  ///< who does what takes longer than a key may
 };
 
 /// Local date and time for the header line (DEC-10).

@@ -54,24 +54,40 @@ bool acts_at_block_start(int m) { return m == 3 || m == 4 || m == 8 || m == 13 |
 }  // namespace
 
 std::expected<void, language::Error> Run::begin(const Connection& connection, RunOrder order) {
-  auto interpreter =
-      program::Interpreter::begin(order.programs, interpreter_settings(order, connection.is_lab_machine), order.start);
-  if (!interpreter) return std::unexpected(interpreter.error());
+  const program::Settings settings = interpreter_settings(order, connection.is_lab_machine);
+  auto source = program::PathSource::begin(order.programs, settings, order.start);
+  if (!source) return std::unexpected(source.error());
   *this = Run{};
   connection_ = connection;
-  programs_ = std::move(order.programs);
-  first_modal_ = order.start.modal;
-  interpreter_ = std::move(*interpreter);
-  first_parameters_ = parameters_ = std::make_shared<const program::Parameters>(order.start.parameters);
+  order_ = std::move(order);
+  source_ = std::move(*source);
+  first_parameters_ = parameters_ = std::make_shared<const program::Parameters>(order_.start.parameters);
   look();
-  if (connection_.is_lab_machine && seen_.is_referenced) guard_.emplace(seen_, order.data, order.start.position);
-  if (auto error = prepare_block()) {
+  if (!Preflight::is_needed(order_.programs, order_.start)) return launch();
+  preflight_.emplace(order_.long_work, order_.programs, settings, order_.start);
+  const std::optional<Preflight::Result> result = preflight_->result();
+  return result ? conclude_check(*result) : std::expected<void, language::Error>{};
+}
+
+std::expected<void, language::Error> Run::conclude_check(const Preflight::Result& result) {
+  preflight_.reset();
+  sound_contours_ = result.sound_contours;
+  if (!result.error) return launch();
+  *this = Run{};
+  return std::unexpected(*result.error);
+}
+
+std::expected<void, language::Error> Run::launch() {
+  if (connection_.is_lab_machine && seen_.is_referenced) guard_.emplace(seen_, order_.data, order_.start.position);
+  static_cast<void>(prepare_block());
+  if (failure_) {
+    auto error = std::unexpected(std::move(*failure_));
     *this = Run{};
-    return std::unexpected(std::move(*error));
+    return error;
   }
-  const motion::Limits limits = machine::motion_limits(order.data);
+  const motion::Limits limits = machine::motion_limits(order_.data);
   look_ahead_s_ = kLeastLookAhead_s + limits.f_max_mm_per_s / limits.stop_deceleration_mm_per_s2;
-  motion::Planner* planner = connection_.channel->begin_run(connection_.epoch, order.start.position);
+  motion::Planner* planner = connection_.channel->begin_run(connection_.epoch, order_.start.position);
   if (planner != nullptr) {
     run_ = planner->run();
     feed();
@@ -88,31 +104,75 @@ void Run::go() {
   look();
 }
 
-std::optional<language::Error> Run::prepare_block() {
+bool Run::prepare_block() {
+  if (!answer_input()) return false;
   items_.clear();
   next_item_ = 0;
-  auto executed = interpreter_->step(items_);
-  if (!executed) return executed.error();
-  if (guard_) {
-    for (const geometry::PathItem& item : items_)
-      if (auto fault = guard_->fault_of(item)) {
-        items_.clear();
-        return fault;
-      }
+  auto executed = source_->step(items_);
+  guard_travel();
+  if (executed) guard_contours(*executed);
+  if (!executed && !failure_) failure_ = executed.error();
+  if (!executed) return true;
+  const program::Interpreter& interpreter = source_->interpreter();
+  if (interpreter.parameters() != *parameters_)
+    parameters_ = std::make_shared<const program::Parameters>(interpreter.parameters());
+  records_.push_back(
+      {std::move(*executed), parameters_, std::ranges::any_of(source_->programmed(), is_alarm), path_s_});
+  account_for_items();
+  return true;
+}
+
+/// Items may come after their block, when the stages know what follows.
+void Run::account_for_items() {
+  for (const geometry::PathItem& item : items_) {
+    path_s_ += seconds_of(item);
+    if (item.sequence < records_.front().block.sequence || item.sequence > records_.back().block.sequence) continue;
+    records_[static_cast<std::size_t>(item.sequence - records_.front().block.sequence)].path_s = path_s_;
   }
-  if (interpreter_->parameters() != *parameters_)
-    parameters_ = std::make_shared<const program::Parameters>(interpreter_->parameters());
-  double path_s = records_.empty() ? 0 : records_.back().path_s;
-  for (const geometry::PathItem& item : items_) path_s += seconds_of(item);
-  records_.push_back({std::move(*executed), parameters_, std::ranges::any_of(items_, is_alarm), path_s});
-  return std::nullopt;
+}
+
+/// On the lab machine nothing follows a contour that nobody has checked as a whole (DEC-09).
+void Run::guard_contours(const program::ExecutedBlock& executed) {
+  if (!connection_.is_lab_machine || failure_ || source_->contours_ordered() <= sound_contours_) return;
+  failure_ = language::Error{.code = language::ErrorCode::contour_unchecked,
+                             .program = executed.source.program,
+                             .block = executed.source.block,
+                             .word = 'G'};
+  std::erase_if(items_, [&executed](const auto& item) { return item.sequence >= executed.sequence; });
+}
+
+/// A block beyond the lab machine's travel does not move at all (AUTH-011): its items are dropped, those before stay.
+void Run::guard_travel() {
+  if (!guard_) return;
+  const auto fault =
+      std::ranges::find_if(items_, [this](const auto& item) { return guard_->fault_of(item).has_value(); });
+  if (fault == items_.end()) return;
+  failure_ = guard_->fault_of(*fault);
+  const std::uint64_t sequence = fault->sequence;
+  std::erase_if(items_, [sequence](const auto& item) { return item.sequence >= sequence; });
+}
+
+/// Input 1 for G21 and G23 as it was two blocks before (D-56). A block that cannot begin because its own end depends on
+/// the answer (a compensated way is held back until the next is known) begins with it: then the input counts now.
+bool Run::answer_input() {
+  program::Interpreter& interpreter = source_->interpreter();
+  const std::optional<std::uint64_t> asked = interpreter.awaited_input();
+  if (!asked) return true;
+  const bool nothing_moves_without = run_ != 0 && seen_.run == run_ && is_path_done();
+  if (*asked == 0 || nothing_moves_without) {
+    interpreter.answer_input(seen_.input_1);
+    return true;
+  }
+  const std::optional<bool> seen = seen_.run == run_ ? machine::input_1_at_start(seen_, *asked) : std::nullopt;
+  if (seen) interpreter.answer_input(*seen);
+  return seen.has_value();
 }
 
 bool Run::is_far_enough_ahead() const {
   if (records_.empty()) return false;
   const Record* done = record(seen_.finished_sequence);
   const double done_s = done == nullptr ? 0 : done->path_s;
-  return records_.back().path_s - done_s >= look_ahead_s_ ||
+  return path_s_ - done_s >= look_ahead_s_ ||
          records_.back().block.sequence - seen_.finished_sequence >= kMostBlocksAhead;
 }
 
@@ -120,9 +180,8 @@ void Run::feed() {
   motion::Planner& planner = connection_.channel->planner();
   for (int budget = kItemsPerPoll; budget > 0; --budget) {
     if (next_item_ == items_.size()) {
-      if (failure_ || interpreter_->ended() || is_far_enough_ahead()) break;
-      failure_ = prepare_block();
-      if (failure_) break;
+      if (failure_ || source_->ended() || is_far_enough_ahead() || !prepare_block()) break;
+      continue;
     }
     if (!planner.append(items_[next_item_])) break;
     ++next_item_;
@@ -143,6 +202,7 @@ const Run::Record* Run::record(std::uint64_t sequence) const {
 
 Run::State Run::state() const {
   if (!is_present()) return State::none;
+  if (is_checking()) return State::running;
   if (seen_.run != run_ || seen_.tick < answer_tick_) return State::running;
   if (!seen_.started) return seen_.cause == StopCause::single_block ? State::between : State::stopped;
   switch (seen_.state) {
@@ -159,16 +219,18 @@ Run::State Run::state() const {
 }
 
 void Run::go_on() {
-  if (is_present()) go();
+  if (is_present() && !is_checking()) go();
 }
 
 void Run::stop() {
+  is_stopped_in_check_ = is_checking();
   if (is_present()) connection_.channel->stop(StopCause::operator_stop);
 }
 
 RunEnd Run::finish(RunEnd::Kind kind) {
-  RunEnd end{kind, seen_.cause, std::nullopt, modal(), parameters()};
+  RunEnd end{kind, seen_.cause, std::nullopt, modal(), parameters(), {}};
   if (kind == RunEnd::Kind::failed) end.error = failure_;
+  if (kind == RunEnd::Kind::program_end) end.compensation_mm = source_->compensation_mm();
   *this = Run{};
   return end;
 }
@@ -180,14 +242,27 @@ std::optional<RunEnd> Run::abandon() {
   return finish(RunEnd::Kind::broken);
 }
 
+/// Everything that was appended has been passed; what the source holds back or has failed at is not part of it.
 bool Run::is_path_done() const {
-  const bool all_appended = next_item_ == items_.size();
-  return all_appended && !records_.empty() && seen_.finished_sequence >= records_.back().block.sequence;
+  return next_item_ == items_.size() && connection_.channel->queue().waiting() == 0 && seen_.speed_mm_per_min == 0;
+}
+
+/// STOP during the check ends it: nothing has been started that could go on.
+std::optional<RunEnd> Run::poll_check() {
+  if (is_stopped_in_check_) return finish(RunEnd::Kind::broken);
+  const std::optional<Preflight::Result> result = preflight_->result();
+  if (!result) return std::nullopt;
+  const program::ModalState modal = order_.start.modal;
+  const program::Parameters parameters = order_.start.parameters;
+  const auto begun = conclude_check(*result);
+  if (begun) return std::nullopt;
+  return RunEnd{RunEnd::Kind::failed, StopCause::none, begun.error(), modal, parameters, {}};
 }
 
 std::optional<RunEnd> Run::poll() {
   if (!is_present()) return std::nullopt;
   look();
+  if (is_checking()) return poll_check();
   feed();
   forget_done_blocks();
   if (seen_.tick < answer_tick_) return std::nullopt;
@@ -225,7 +300,7 @@ bool Run::shows_blocks() const {
 
 program::ModalState Run::modal() const {
   const Record* done = record(seen_.finished_sequence);
-  program::ModalState modal = done == nullptr ? first_modal_ : done->block.modal;
+  program::ModalState modal = done == nullptr ? order_.start.modal : done->block.modal;
   const Record* begun = record(seen_.sequence);
   if (begun == nullptr || seen_.sequence <= seen_.finished_sequence) return modal;
   // F, S, T and the M functions of the block start are in force as soon as the block has begun (FST-009, FST-011).

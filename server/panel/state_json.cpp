@@ -22,6 +22,8 @@ Json modal_json(const program::ModalState& modal) {
   return {{"plane", static_cast<int>(modal.plane)},
           {"radius", static_cast<int>(modal.radius)},
           {"length", modal.length_compensation},
+          {"tool_radius", modal.tool_radius.value},
+          {"tool_length", modal.tool_length.value},
           {"scale_on", modal.scale_on},
           {"scale", modal.scale},
           {"absolute", modal.dimension == program::Dimension::absolute},
@@ -41,6 +43,8 @@ program::ModalState modal_of(const Json& json) {
   modal.plane = static_cast<geometry::Plane>(integer_in(json, "plane", 0, 2, 0));
   modal.radius = static_cast<program::RadiusCompensation>(integer_in(json, "radius", 0, 4, 0));
   modal.length_compensation = flag_in(json, "length");
+  modal.tool_radius = {integer_in(json, "tool_radius", 0, language::kLargestWord_um, 0)};
+  modal.tool_length = {integer_in(json, "tool_length", -language::kLargestWord_um, language::kLargestWord_um, 0)};
   modal.scale_on = flag_in(json, "scale_on");
   if (const Json* scale = member_of(json, "scale"); scale != nullptr && scale->is_array() && scale->size() == 3)
     for (std::size_t axis = 0; axis < 3; ++axis)

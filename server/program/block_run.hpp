@@ -25,19 +25,33 @@ struct Flow {
 struct BlockRun {
   const language::Block& block;  ///< parameters already replaced by their values
   geometry::SourceBlock source;
+  std::uint64_t sequence = 0;
+  bool passes_single_block = false;  ///< as PathItem has them
+  bool override_off = false;
   const Settings& settings;
   const ProgramSet& programs;
   std::span<const Frame> levels;  ///< active calls; the last one runs
-  geometry::PathItem pattern;     ///< an item of this block, without content
+  bool exact_stop = false;        ///< its ways end with an exact stop
+  bool input_is_active = false;   ///< Input 1 as it was two blocks before (D-56)
   ExecutionState& state;
   std::vector<geometry::PathItem>& out;
-  Flow flow;
+  Flow flow = {};
 
-  /// Appends an element or event of this block.
+  /// Appends an event of this block, or a way of the fourth axis.
   template <typename What>
   void emit(const What& what) {
-    pattern.what = what;
-    out.push_back(pattern);
+    out.push_back({.source = source,
+                   .sequence = sequence,
+                   .passes_single_block = passes_single_block,
+                   .override_off = override_off,
+                   .what = what});
+  }
+  /// Appends a way of the main axes.
+  template <typename Element>
+  void emit_way(const Element& element, AxisSet named_axes) {
+    emit(element);
+    out.back().named_axes = named_axes;
+    out.back().exact_stop = exact_stop;
   }
 };
 
@@ -54,32 +68,56 @@ using Outcome = std::expected<void, language::Error>;
 /// What a function does, besides its F, S, T and M words, which every block handles alike.
 using Handler = Outcome (*)(BlockRun&);
 
-// Motion (execute_motion.cpp).
-Outcome execute_rapid(BlockRun& run);                 // G00
-Outcome execute_line(BlockRun& run);                  // G01
-Outcome execute_clockwise_arc(BlockRun& run);         // G02
-Outcome execute_counterclockwise_arc(BlockRun& run);  // G03
-Outcome execute_fourth_axis(BlockRun& run);           // G12
+// Straight ways (execute_line.cpp).
+Outcome execute_rapid(BlockRun& run);        // G00
+Outcome execute_line(BlockRun& run);         // G01
+Outcome execute_fourth_axis(BlockRun& run);  // G12
+
+// Arcs (execute_arc.cpp).
+Outcome execute_clockwise_arc(BlockRun& run);               // G02
+Outcome execute_counterclockwise_arc(BlockRun& run);        // G03
+Outcome execute_clockwise_by_radius(BlockRun& run);         // G05
+Outcome execute_counterclockwise_by_radius(BlockRun& run);  // G06
+Outcome execute_clockwise_helix(BlockRun& run);             // G07
+Outcome execute_counterclockwise_helix(BlockRun& run);      // G08
+Outcome round_corner(BlockRun& run);                        // G10
+
+// Compensation (execute_compensation.cpp).
+Outcome cancel_radius_compensation(BlockRun& run);  // G40
+Outcome compensate_left(BlockRun& run);             // G41
+Outcome compensate_right(BlockRun& run);            // G42
+Outcome lengthen_ways(BlockRun& run);               // G43
+Outcome shorten_ways(BlockRun& run);                // G44
+Outcome cancel_length_compensation(BlockRun& run);  // G45
+Outcome compensate_length(BlockRun& run);           // G46
 
 // Modal groups (execute_modal.cpp).
-Outcome select_plane_xy(BlockRun& run);             // G17
-Outcome select_plane_xz(BlockRun& run);             // G18
-Outcome select_plane_yz(BlockRun& run);             // G19
-Outcome cancel_radius_compensation(BlockRun& run);  // G40
-Outcome cancel_length_compensation(BlockRun& run);  // G45
-Outcome cancel_scale(BlockRun& run);                // G74
-Outcome set_scale(BlockRun& run);                   // G75
-Outcome select_absolute(BlockRun& run);             // G90
-Outcome select_incremental(BlockRun& run);          // G91
+Outcome select_plane_xy(BlockRun& run);     // G17
+Outcome select_plane_xz(BlockRun& run);     // G18
+Outcome select_plane_yz(BlockRun& run);     // G19
+Outcome cancel_scale(BlockRun& run);        // G74
+Outcome set_scale(BlockRun& run);           // G75
+Outcome select_absolute(BlockRun& run);     // G90
+Outcome select_incremental(BlockRun& run);  // G91
 
 // Order of execution (execute_flow.cpp).
-Outcome jump(BlockRun& run);  // G20
-Outcome call(BlockRun& run);  // G22
+Outcome jump(BlockRun& run);           // G20
+Outcome jump_on_input(BlockRun& run);  // G21
+Outcome call(BlockRun& run);           // G22
+Outcome call_on_input(BlockRun& run);  // G23
 
 // Events (execute_events.cpp).
-Outcome dwell(BlockRun& run);       // G04
-Outcome only_words(BlockRun& run);  // G11
-Outcome set_actual(BlockRun& run);  // G68
+Outcome dwell(BlockRun& run);            // G04
+Outcome only_words(BlockRun& run);       // G11
+Outcome set_actual(BlockRun& run);       // G68
+Outcome search_switches(BlockRun& run);  // G69
+
+/// G61 to G66: the same function with an exact stop at the end of its way (G-610, DEC-20).
+template <Handler function>
+Outcome with_exact_stop(BlockRun& run) {
+  run.exact_stop = true;
+  return function(run);
+}
 
 /// F, S and T act at block start (FST-009, FST-011).
 void execute_feed_speed_tool(BlockRun& run);

@@ -13,13 +13,15 @@ namespace cnclab::program {
 /// have or this version does not execute, jumps and calls that lead nowhere. In the order of programs and blocks.
 [[nodiscard]] std::vector<language::Error> check_blocks(const ProgramSet& programs, const Settings& settings);
 
-/// The first fault that shows only in execution (F missing, wrong plane, circle, nesting, a call of itself), found by
-/// executing from `start` without a machine; at most `most_blocks`, since a program may loop.
-[[nodiscard]] std::optional<language::Error> dry_run(const ProgramSet& programs, const Settings& settings,
-                                                     const Start& start, std::uint64_t most_blocks);
+/// The faults that show only in execution (F missing, wrong plane, circle, nesting, a call of itself), found by
+/// executing from `start` without a machine; one for each block, in the order in which they are met. Each G21 and G23
+/// is tried with Input 1 inactive and active. A faulty block is passed over, so that the faults behind it are found
+/// too. In all at most `most_blocks` are executed, since a program may loop.
+[[nodiscard]] std::vector<language::Error> dry_run(const ProgramSet& programs, const Settings& settings,
+                                                   const Start& start, std::uint64_t most_blocks);
 
-/// The programs at which somebody would press START: those that no other program calls or jumps to; if there are none,
-/// the lowest. P0000 is none.
+/// The programs at which somebody would press START: those that no other program calls or jumps to. Where programs lead
+/// to each other in a ring, so that none of these comes to them, the lowest of the ring. P0000 is none.
 [[nodiscard]] std::vector<std::uint16_t> start_programs(const ProgramSet& programs);
 
 }  // namespace cnclab::program

@@ -1,7 +1,31 @@
-// Blocks that neither move nor change a modal group: G04, G11, G68.
+// Blocks that neither move along the path nor change a modal group: G04, G11, G68, G69.
+#include "program/compensation.hpp"
 #include "program/words.hpp"
 
 namespace cnclab::program {
+
+namespace {
+
+constexpr std::array kAxisWords{language::Address::X, language::Address::Y, language::Address::Z};
+
+/// The axes with a word are called by its value from here on. The path does not jump: what the operator calls it
+/// changes, the offset takes up the difference. Values are not scaled (D-64, D-68).
+template <typename Event>
+Event rename_axes(BlockRun& run) {
+  Event event;
+  for (std::size_t axis = 0; axis < kAxisWords.size(); ++axis) {
+    const language::Word* word = run.block.find(kAxisWords[axis]);
+    if (word == nullptr) continue;
+    const std::int64_t value_nm = word->number * std::int64_t{1000};
+    run.state.offset_nm[axis] += run.state.programmed_nm[axis] - value_nm;
+    run.state.programmed_nm[axis] = value_nm;
+    event.axes[axis] = true;
+    event.value[axis] = static_cast<double>(word->number) / 1000;
+  }
+  return event;
+}
+
+}  // namespace
 
 Outcome dwell(BlockRun& run) {
   const std::int64_t tenths = value_of(run.block, language::Address::H, 0);
@@ -14,22 +38,16 @@ Outcome dwell(BlockRun& run) {
 Outcome only_words(BlockRun&) { return {}; }
 
 Outcome set_actual(BlockRun& run) {
-  constexpr std::array kAxes{language::Address::X, language::Address::Y, language::Address::Z};
-  const ModalState& modal = run.state.modal;
-  if (modal.radius != RadiusCompensation::off || modal.length_compensation)  // D-64
-    return error_at(language::ErrorCode::compensation_impossible, run.source, 'G', "G68");
-  geometry::SetActual event;
-  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
-    const language::Word* word = run.block.find(kAxes[axis]);
-    if (word == nullptr) continue;
-    const std::int64_t value_nm = word->number * 1000;
-    // The path does not jump: what the operator calls it changes, the offset takes up the difference (G-680).
-    run.state.offset_nm[axis] += run.state.programmed_nm[axis] - value_nm;
-    run.state.programmed_nm[axis] = value_nm;
-    event.axes[axis] = true;
-    event.value[axis] = static_cast<double>(word->number) / 1000;
-  }
-  run.emit(event);
+  if (Outcome plain = check_uncompensated(run); !plain) return plain;
+  run.emit(rename_axes<geometry::SetActual>(run));
+  return {};
+}
+
+/// Where the switches are only the machine knows; the path goes on from its own end, and the machine takes the place
+/// where it stands by then as that point. The word's value is the Istwert there (G-690 to G-694).
+Outcome search_switches(BlockRun& run) {
+  if (Outcome plain = check_uncompensated(run); !plain) return plain;
+  run.emit(rename_axes<geometry::Reference>(run));
   return {};
 }
 

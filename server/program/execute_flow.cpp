@@ -1,4 +1,4 @@
-// Jumps and calls: G20, G22 (G-200, G-220; D-57, D-58).
+// Jumps and calls: G20 to G23 (G-200 to G-230; D-56, D-57, D-58).
 #include <fmt/core.h>
 
 #include "program/words.hpp"
@@ -47,5 +47,8 @@ Outcome call(BlockRun& run) {
   run.flow.repeats = static_cast<int>(value_of(run.block, language::Address::W, 0));
   return {};
 }
+
+Outcome jump_on_input(BlockRun& run) { return run.input_is_active ? jump(run) : Outcome{}; }
+Outcome call_on_input(BlockRun& run) { return run.input_is_active ? call(run) : Outcome{}; }
 
 }  // namespace cnclab::program

@@ -8,7 +8,7 @@ namespace {
 void change_speed(BlockRun& run, int rpm) {
   ModalState& modal = run.state.modal;
   modal.spindle_rpm = rpm;
-  run.emit(geometry::SpindleDigits{.rpm = rpm});  // FST-004
+  if (run.settings.io_cards[2]) run.emit(geometry::SpindleDigits{.rpm = rpm});  // FST-004, D-124
   const language::Word* m = run.block.find(language::Address::M);
   const bool starts_here = m != nullptr && (m->number == 3 || m->number == 4 || m->number == 13 || m->number == 14);
   // A spindle that runs follows at once; one that this block starts gets its speed with the M function.

@@ -114,6 +114,14 @@ constexpr std::array<const Row*, kCodes> by_code() {
 
 constexpr std::array<const Row*, kCodes> kByCode = by_code();
 
+/// The I/O card that a function needs, 0 for none (M-902).
+int needed_card(int code) { return code < 40 ? 0 : card_of(code); }
+
+/// Without its card a function has no effect and waits for nothing (D-124).
+bool has_card(const Settings& settings, int card) {
+  return card == 0 || settings.io_cards[static_cast<std::size_t>(card - 1)];
+}
+
 }  // namespace
 
 void execute_m(BlockRun& run, Moment moment) {
@@ -122,8 +130,9 @@ void execute_m(BlockRun& run, Moment moment) {
   const Row* row = kByCode[static_cast<std::size_t>(word->number)];
   if (row == nullptr || row->moment != moment) return;
   if (run.state.modal.test_run && !row->acts_in_test_run) return;
-  run.state.modal.m = static_cast<int>(word->number);
-  row->act(run, static_cast<int>(word->number));
+  const int code = static_cast<int>(word->number);
+  run.state.modal.m = code;
+  if (has_card(run.settings, needed_card(code))) row->act(run, code);
 }
 
 }  // namespace cnclab::program

@@ -1,13 +1,10 @@
-// Modal groups: plane, compensation off, scale, dimension (G-170, G-740, G-750, G-900).
+// Modal groups: plane, scale, dimension (G-170, G-740, G-750, G-900).
+#include "program/compensation.hpp"
 #include "program/words.hpp"
 
 namespace cnclab::program {
 
 namespace {
-
-bool is_compensating(const ModalState& modal) {
-  return modal.radius != RadiusCompensation::off || modal.length_compensation;
-}
 
 Outcome select_plane(BlockRun& run, geometry::Plane plane) {
   if (is_compensating(run.state.modal) && plane != run.state.modal.plane)  // D-69
@@ -21,16 +18,6 @@ Outcome select_plane(BlockRun& run, geometry::Plane plane) {
 Outcome select_plane_xy(BlockRun& run) { return select_plane(run, geometry::Plane::xy); }
 Outcome select_plane_xz(BlockRun& run) { return select_plane(run, geometry::Plane::xz); }
 Outcome select_plane_yz(BlockRun& run) { return select_plane(run, geometry::Plane::yz); }
-
-Outcome cancel_radius_compensation(BlockRun& run) {
-  run.state.modal.radius = RadiusCompensation::off;
-  return {};
-}
-
-Outcome cancel_length_compensation(BlockRun& run) {
-  run.state.modal.length_compensation = false;
-  return {};
-}
 
 Outcome cancel_scale(BlockRun& run) {
   run.state.modal.scale_on = false;

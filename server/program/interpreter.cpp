@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "program/compensation.hpp"
 #include "program/functions.hpp"
 #include "program/reachable.hpp"
 #include "program/words.hpp"
@@ -13,8 +14,7 @@ namespace cnclab::program {
 
 namespace {
 
-constexpr double kNanometresPerMm = 1e6;
-
+std::int64_t to_nm(double mm) { return std::llround(mm * kNanometresPerMm); }
 std::int64_t to_um(std::int64_t nm) { return (nm >= 0 ? nm + 500 : nm - 500) / 1000; }
 
 /// The first block in reach that this version cannot execute (D-02: nothing moves before it is known).
@@ -29,6 +29,8 @@ Outcome check_executable(const ProgramSet& programs, const Settings& settings, c
 
 /// F, S, T and the M functions of the block's start; the function itself; the M functions of its end (M-900, FST-009).
 Outcome execute_words(BlockRun& run) {
+  constexpr std::uint64_t kFirst = 1;
+  if (run.sequence == kFirst) announce_compensation(run);
   execute_feed_speed_tool(run);
   execute_m(run, Moment::block_start);
   if (Outcome outcome = handler_of(run.block.function)(run); !outcome) return outcome;
@@ -71,14 +73,16 @@ std::expected<Interpreter, language::Error> Interpreter::begin(ProgramSet progra
 
 Interpreter::Interpreter(ProgramSet programs, Settings settings, const Start& start)
     : programs_(std::move(programs)), settings_(std::move(settings)), parameters_(start.parameters) {
-  const geometry::Point& position = start.position;
   state_.modal = start.modal;
-  state_.programmed_nm = {std::llround(position.x * kNanometresPerMm), std::llround(position.y * kNanometresPerMm),
-                          std::llround(position.z * kNanometresPerMm)};
-  state_.fourth_axis_nm = std::llround(position.u * kNanometresPerMm);
-  state_.path = position;
-  for (std::size_t axis = 0; axis < programmed_um_.size(); ++axis)
-    programmed_um_[axis] = to_um(state_.programmed_nm[axis]);
+  state_.path = start.position;
+  state_.fourth_axis_nm = to_nm(start.position.u);
+  for (std::size_t axis = 0; axis < start.compensation_mm.size(); ++axis) {
+    // The stages begin with the same compensation and add it again (D-75).
+    double& path_mm = state_.path.*kPathAxes[axis];
+    path_mm -= start.compensation_mm[axis];
+    state_.programmed_nm[axis] = to_nm(path_mm);
+    if (to_nm(start.compensation_mm[axis]) != 0) state_.shifted_axes |= axis_bit(axis);
+  }
   const language::Program* program = programs_.find(start.program);
   const std::size_t index = program->find(start.block).value_or(0);
   levels_.push_back({.program = program, .next = index, .called = program, .entry = index, .repeats_left = 0});
@@ -92,6 +96,11 @@ std::optional<std::uint64_t> Interpreter::awaited_input() const {
   constexpr std::uint64_t kBlocksBefore = 2;
   if (!asks) return std::nullopt;
   return sequence_ + 1 > kBlocksBefore ? sequence_ + 1 - kBlocksBefore : 0;
+}
+
+std::array<std::int64_t, 3> Interpreter::programmed_um() const {
+  const auto& [x, y, z] = state_.programmed_nm;
+  return {to_um(x), to_um(y), to_um(z)};
 }
 
 void Interpreter::answer_input(bool is_active) { input_answer_ = is_active; }
@@ -110,59 +119,76 @@ std::expected<ExecutedBlock, language::Error> Interpreter::step(std::vector<geom
   return result;
 }
 
+BlockRun Interpreter::bench_for(const language::Block& block, std::vector<geometry::PathItem>& out) {
+  return {.block = block,
+          .source = {.program = levels_.back().program->number, .block = block.number},
+          .sequence = sequence_ + 1,
+          .passes_single_block = levels_.size() > 1 && state_.modal.subprogram_blocks_hidden,
+          .override_off = state_.modal.potentiometer_off,
+          .settings = settings_,
+          .programs = programs_,
+          .levels = levels_,
+          .input_is_active = input_answer_.value_or(false),
+          .state = state_,
+          .out = out};
+}
+
 std::expected<ExecutedBlock, language::Error> Interpreter::execute_block(std::vector<geometry::PathItem>& out) {
   const Frame& level = levels_.back();
-  const language::Block& stored = level.program->blocks[level.next];
-  ExecutedBlock executed;
-  executed.sequence = sequence_ + 1;
-  executed.source = {.program = level.program->number, .block = stored.number};
-  executed.depth = static_cast<int>(levels_.size()) - 1;
-  executed.main_program = levels_.front().program->number;
-  const bool is_hidden_subprogram = executed.depth > 0 && state_.modal.subprogram_blocks_hidden;
-  executed.is_shown = !state_.modal.blocks_hidden && !is_hidden_subprogram;
+  const auto with_values = prepare(level);
+  if (!with_values) return std::unexpected(with_values.error());
+  BlockRun run = bench_for(*with_values ? **with_values : level.program->blocks[level.next], out);
+  const std::uint16_t main_program = levels_.front().program->number;
+  const int depth = static_cast<int>(levels_.size()) - 1;
+  const bool is_shown = !state_.modal.blocks_hidden && !run.passes_single_block;
 
-  const auto block = prepare(stored, executed.source);
-  if (!block) return std::unexpected(block.error());
-  BlockRun run{.block = *block ? **block : stored,
-               .source = executed.source,
-               .settings = settings_,
-               .programs = programs_,
-               .levels = levels_,
-               .pattern = {.source = executed.source,
-                           .sequence = executed.sequence,
-                           .passes_single_block = is_hidden_subprogram,
-                           .override_off = state_.modal.potentiometer_off},
-               .state = state_,
-               .out = out,
-               .flow = {}};
   const std::size_t items_before = out.size();
   if (Outcome outcome = execute_words(run); !outcome) return std::unexpected(outcome.error());
   ended_ = go_on(run.flow);
   if (ended_) append_end(run);
   if (out.size() == items_before) run.emit(geometry::Mark{});
   out.back().ends_block = true;
-
-  sequence_ = executed.sequence;
-  for (std::size_t axis = 0; axis < programmed_um_.size(); ++axis)
-    programmed_um_[axis] = to_um(state_.programmed_nm[axis]);
-  executed.modal = state_.modal;
-  executed.programmed_um = programmed_um_;
-  executed.ended = ended_;
-  return executed;
+  sequence_ = run.sequence;
+  // Built in its place: copying it would take as long as the block's way takes to work out.
+  return std::expected<ExecutedBlock, language::Error>(std::in_place, sequence_, run.source, depth, main_program,
+                                                       is_shown, state_.modal, programmed_um(), ended_);
 }
 
-std::expected<std::optional<language::Block>, language::Error> Interpreter::prepare(
-    const language::Block& stored, geometry::SourceBlock source) const {
-  if (stored.is_damaged) return error_at(language::ErrorCode::checksum_wrong, source, 0);
-  if (Outcome outcome = executable(stored, source, settings_.vocabulary); !outcome)
-    return std::unexpected(outcome.error());
-  std::optional<language::Block> with_values;
-  if (has_parameters(stored)) with_values = read_parameters(stored, parameters_, state_, programs_);
-  if (with_values && is_dwell_of_nothing(*with_values)) return with_values;  // DEC-53
-  if (Outcome outcome = check_words(with_values ? *with_values : stored, source, state_.modal.plane, settings_);
-      !outcome)
-    return std::unexpected(outcome.error());
+std::expected<std::optional<language::Block>, language::Error> Interpreter::prepare(const Frame& level) {
+  const geometry::Plane plane = state_.modal.plane;
+  const language::Block& stored = level.program->blocks[level.next];
+  const geometry::SourceBlock source{.program = level.program->number, .block = stored.number};
+  if (!checked_.has_passed(*level.program, level.next, plane)) {
+    if (stored.is_damaged) return error_at(language::ErrorCode::checksum_wrong, source, 0);
+    if (Outcome known = executable(stored, source, settings_.vocabulary); !known) return std::unexpected(known.error());
+    if (Outcome form = check_words(stored, source, plane, settings_); !form) return std::unexpected(form.error());
+    checked_.pass(*level.program, level.next, plane);
+  }
+  if (!has_parameters(stored)) return std::nullopt;
+  const language::Block with_values = read_parameters(stored, parameters_, state_, programs_);
+  if (is_dwell_of_nothing(with_values)) return with_values;  // DEC-53
+  if (Outcome values = check_words(with_values, source, plane, settings_); !values)
+    return std::unexpected(values.error());
   return with_values;
+}
+
+bool Interpreter::pass_over_fault() {
+  const Frame& level = levels_.back();
+  const language::Block& stored = level.program->blocks[level.next];
+  if (!last_ || last_->has_value() || jumps_always(stored)) return false;
+  const bool has_no_feed = last_->error().code == language::ErrorCode::feed_missing;
+  last_.reset();
+  const language::Block block = read_parameters(stored, parameters_, state_, programs_);
+  std::vector<geometry::PathItem> unused;
+  BlockRun run = bench_for(block, unused);
+  execute_feed_speed_tool(run);
+  execute_m(run, Moment::block_start);
+  if (const auto target = target_of(run); target && is_way(block.function)) arrive(run, *target);
+  execute_m(run, Moment::block_end);
+  if (has_no_feed) state_.modal.feed_mm_per_min = 1;
+  ++sequence_;
+  ended_ = go_on(run.flow);
+  return !ended_;
 }
 
 bool Interpreter::go_on(const Flow& flow) {

@@ -16,6 +16,7 @@
 #include "geometry/path_item.hpp"
 #include "language/block_form.hpp"
 #include "language/error.hpp"
+#include "program/checked_blocks.hpp"
 #include "program/modal_state.hpp"
 #include "program/program_source.hpp"
 
@@ -27,6 +28,9 @@ inline constexpr int kDeepestCall = 16;  ///< D-58
 /// ever rounds (DEC-05).
 using Nanometres = std::array<std::int64_t, 3>;
 
+/// Some of the axes X 1, Y 2, Z 4.
+using AxisSet = std::uint8_t;
+
 /// What execution must know of the machine and the configuration; values at START (DEC-28).
 struct Settings {
   double f_max_mm_per_min = 3000;
@@ -34,6 +38,7 @@ struct Settings {
   std::array<double, 3> travel_mm{500, 500, 500};  ///< word limits MD 03..05 for values by parameter
   std::array<double, 4> steps_per_mm{200, 200, 200, 200};
   language::Vocabulary vocabulary{};
+  std::array<bool, 3> io_cards{true, true, true};  ///< which of the I/O cards 1, 2, 3 are fitted (D-124)
   bool outputs_at_end_off = false;  ///< lab machine: the end of a program switches spindle and coolant off (DEC-38)
 };
 
@@ -65,7 +70,9 @@ struct ExecutionState {
   Nanometres programmed_nm{};       ///< Sollwert as the operator reads it
   Nanometres offset_nm{};           ///< path coordinate minus Sollwert: what G68 has renamed since START
   std::int64_t fourth_axis_nm = 0;  ///< U, path coordinate (G12; no Istwert of its own, D-62)
-  geometry::Point path;  ///< end of the path so far; an axis that does not move keeps its value to the last bit
+  geometry::Point path;      ///< end of the path so far; an axis that does not move keeps its value to the last bit
+  AxisSet shifted_axes = 0;  ///< axes whose path may lie beside this one: compensation has moved them (D-75)
+  bool is_contour_shifted = false;  ///< by G41, G42, which is left with both axes at once; else axis by axis
 };
 
 /// One level of calls: level 0 is the main program.
@@ -100,11 +107,16 @@ class Interpreter {
   /// after the end or an error, further calls return the same.
   [[nodiscard]] std::expected<ExecutedBlock, language::Error> step(std::vector<geometry::PathItem>& out);
 
+  /// For checks: goes on behind the block at which `step` failed, as if it had been right: its F, S, T and M act, its
+  /// axes are at the end of its way, and an F that was missing is there. False where nothing follows, or nobody knows
+  /// what (a jump that leads nowhere).
+  bool pass_over_fault();
+
   [[nodiscard]] bool ended() const { return ended_; }
   [[nodiscard]] const ModalState& modal() const { return state_.modal; }
   [[nodiscard]] const Parameters& parameters() const { return parameters_; }
   /// Programmed position (Sollwert): Istwert as the operator reads it after the blocks so far, in µm; X Y Z.
-  [[nodiscard]] const std::array<std::int64_t, 3>& programmed_um() const { return programmed_um_; }
+  [[nodiscard]] std::array<std::int64_t, 3> programmed_um() const;
 
   /// The blocks that come next in stored order, following unconditional G20 only (DEC-63), without executing them.
   /// The first is the block that `step` would execute.
@@ -115,20 +127,21 @@ class Interpreter {
 
   std::expected<ExecutedBlock, language::Error> execute_block(std::vector<geometry::PathItem>& out);
   /// The checks before a block acts; the block with its parameters read, or nothing where it has none.
-  std::expected<std::optional<language::Block>, language::Error> prepare(const language::Block& stored,
-                                                                         geometry::SourceBlock source) const;
+  std::expected<std::optional<language::Block>, language::Error> prepare(const Frame& level);
   /// Moves on to the next block to execute; true when there is none.
   bool go_on(const Flow& flow);
   /// Leaves finished subprograms or runs them again (W); true when the main program has no further block.
   bool leave_finished_levels();
   void append_end(BlockRun& run);
+  /// The bench for the block that comes next; `block` may be that with its parameters read.
+  BlockRun bench_for(const language::Block& block, std::vector<geometry::PathItem>& out);
 
   ProgramSet programs_;
   Settings settings_;
   std::optional<bool> input_answer_;  ///< for the next block
   Parameters parameters_{};
   ExecutionState state_;
-  std::array<std::int64_t, 3> programmed_um_{};  ///< programmed_nm, rounded
+  CheckedBlocks checked_;
   std::vector<Frame> levels_;
   std::uint64_t sequence_ = 0;
   bool ended_ = false;

@@ -17,7 +17,9 @@ struct ModalState {
   geometry::Plane plane = geometry::Plane::xy;
   RadiusCompensation radius = RadiusCompensation::off;
   bool length_compensation = false;  ///< G46
-  bool scale_on = false;             ///< G75
+  /// Of the tool that was active at G41 to G44, G46: a later T acts with the next of them (D-74). 0 while off.
+  language::Micrometres tool_radius, tool_length;
+  bool scale_on = false;  ///< G75
   /// Factors of X, Y, Z in 1/1000; 1000 is 1 (G-754).
   std::array<std::int64_t, 3> scale{1000, 1000, 1000};
   Dimension dimension = Dimension::incremental;

@@ -22,10 +22,6 @@ bool names_other_program(const language::Block& block) {
   return block.function.kind == Function::Kind::g && block.function.code >= 20 && block.function.code <= 23;
 }
 
-bool jumps_always(const language::Block& block) {
-  return is_g(block, 20) || (block.function.kind == Function::Kind::parametric && block.function.code == 53);
-}
-
 /// No way leads from this block to the next one.
 bool never_goes_on(const language::Block& block) {
   if (jumps_always(block)) return true;
@@ -50,6 +46,10 @@ std::optional<Place> target_of(const ProgramSet& programs, const language::Progr
 }
 
 }  // namespace
+
+bool jumps_always(const language::Block& block) {
+  return is_g(block, 20) || (block.function.kind == Function::Kind::parametric && block.function.code == 53);
+}
 
 std::optional<Place> unconditional_target(const ProgramSet& programs, const language::Program& own,
                                           const language::Block& block) {

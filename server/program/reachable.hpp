@@ -17,6 +17,9 @@ struct Place {
   std::size_t index = 0;
 };
 
+/// A jump without condition: G20, ↓53.
+[[nodiscard]] bool jumps_always(const language::Block& block);
+
 /// Where a jump without condition (G20, ↓53) leads; nothing for other blocks, and where the target is missing or named
 /// by a parameter (DEC-63).
 [[nodiscard]] std::optional<Place> unconditional_target(const ProgramSet& programs, const language::Program& own,

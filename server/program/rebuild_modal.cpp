@@ -1,6 +1,8 @@
 // Reads the blocks before a start block for what they leave in force.
 #include "program/rebuild_modal.hpp"
 
+#include "program/compensation.hpp"
+
 namespace cnclab::program {
 
 namespace {
@@ -45,38 +47,28 @@ void take_plane_or_dimension(int code, ModalState& modal) {
   }
 }
 
-void take_compensation(int code, ModalState& modal) {
-  switch (code) {
-    case 40:
-      modal.radius = RadiusCompensation::off;
-      break;
-    case 41:
-      modal.radius = RadiusCompensation::left;
-      break;
-    case 42:
-      modal.radius = RadiusCompensation::right;
-      break;
-    case 43:
-      modal.radius = RadiusCompensation::plus;
-      break;
-    case 44:
-      modal.radius = RadiusCompensation::minus;
-      break;
-    case 45:
-      modal.length_compensation = false;
-      break;
-    case 46:
-      modal.length_compensation = true;
-      break;
-    default:
-      break;  // another group, or none
-  }
+/// G40 to G44 with the tool that is active there (D-74).
+void take_radius_compensation(int code, ModalState& modal, const ProgramSet& programs) {
+  constexpr std::array kRadius{RadiusCompensation::off, RadiusCompensation::left, RadiusCompensation::right,
+                               RadiusCompensation::plus, RadiusCompensation::minus};
+  if (code < 40 || code > 44) return;
+  modal.radius = kRadius[static_cast<std::size_t>(code - 40)];
+  modal.tool_radius = {};
+  if (code != 40) take_radius(modal, programs);
 }
 
-void take_group(const language::Block& block, ModalState& modal) {
+void take_length_compensation(int code, ModalState& modal, const ProgramSet& programs) {
+  if (code != 45 && code != 46) return;
+  modal.length_compensation = code == 46;
+  modal.tool_length = {};
+  if (code == 46) take_length(modal, programs);
+}
+
+void take_group(const language::Block& block, ModalState& modal, const ProgramSet& programs) {
   if (block.function.kind != language::Function::Kind::g) return;
   take_plane_or_dimension(block.function.code, modal);
-  take_compensation(block.function.code, modal);
+  take_radius_compensation(block.function.code, modal, programs);
+  take_length_compensation(block.function.code, modal, programs);
   if (block.function.code == 75) take_scale(block, modal);
   if (block.function.code != 74) return;
   modal.scale_on = false;
@@ -108,11 +100,12 @@ void take_m(std::int64_t code, ModalState& modal) {
 
 }  // namespace
 
-ModalState rebuild_modal(const language::Program& program, std::uint16_t start_block, ModalState modal) {
+ModalState rebuild_modal(const ProgramSet& programs, const language::Program& program, std::uint16_t start_block,
+                         ModalState modal) {
   for (const language::Block& block : program.blocks) {
     if (block.number >= start_block) break;
     if (block.is_damaged) continue;
-    take_group(block, modal);
+    take_group(block, modal, programs);
     if (const std::int32_t* feed = known_number(block, Address::F)) modal.feed_mm_per_min = static_cast<int>(*feed);
     if (const std::int32_t* speed = known_number(block, Address::S)) modal.spindle_rpm = static_cast<int>(*speed);
     if (const std::int32_t* tool = known_number(block, Address::T)) modal.tool = static_cast<int>(*tool);

@@ -57,8 +57,9 @@ language::Block read_parameters(language::Block block, const Parameters& paramet
 }
 
 bool is_dwell_of_nothing(const language::Block& block) {
-  return block.function == language::Function{language::Function::Kind::g, 4} &&
-         value_of(block, language::Address::H, 1) == 0;
+  const language::Function function = block.function;
+  const bool dwells = function.kind == language::Function::Kind::g && (function.code == 4 || function.code == 64);
+  return dwells && value_of(block, language::Address::H, 1) == 0;
 }
 
 Outcome check_words(const language::Block& block, geometry::SourceBlock source, geometry::Plane plane,

@@ -16,7 +16,7 @@ namespace cnclab::program {
 [[nodiscard]] language::Block read_parameters(language::Block block, const Parameters& parameters,
                                               const ExecutionState& state, const ProgramSet& programs);
 
-/// G04 whose H came out as 0: no dwell, and no error either (DEC-53).
+/// G04, G64 whose H came out as 0: no dwell, and no error either (DEC-53).
 [[nodiscard]] bool is_dwell_of_nothing(const language::Block& block);
 
 /// Form, plane and limits of a block about to be executed.

@@ -37,8 +37,8 @@ std::vector<language::Error> errors_of(const Job& job, const Options& options) {
   std::set<std::pair<std::uint16_t, std::uint16_t>> known;
   for (const language::Error& error : errors) known.emplace(error.program, error.block);
   for (const program::Start& start : starts_of(job, options)) {
-    const auto error = program::dry_run(job.programs, job.settings, start, kDryRunBlocks);
-    if (error && known.emplace(error->program, error->block).second) errors.push_back(*error);
+    for (language::Error& error : program::dry_run(job.programs, job.settings, start, kDryRunBlocks))
+      if (known.emplace(error.program, error.block).second) errors.push_back(std::move(error));
   }
   return errors;
 }

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
+#include "language/program_text.hpp"
 #include "tool/text_file.hpp"
 
 namespace cnclab::tool {
@@ -39,19 +41,20 @@ bool read_programs(const Options& options, Job& job) {
     print_problem(options.file, text.error());
     return false;
   }
-  language::Tape tape = language::read_tape(*text, reading_of(options), options.tongue);
-  if (tape.programs.empty() && tape.errors.empty() && tape.notices.empty()) {
+  language::Tape tape = language::read_programs_text(*text, reading_of(options), options.tongue);
+  if (tape.programs.empty() && tape.machine_data.empty() && tape.errors.empty() && tape.notices.empty()) {
     print_problem(options.file, say(options.tongue, "enthält kein Programm. Erwartet wird z. B. P0001N001G00X+1000%.",
                                     "holds no program. Expected is e.g. P0001N001G00X+1000%."));
     return false;
   }
   job.tape_errors = std::move(tape.errors);
   job.notices = std::move(tape.notices);
-  for (const language::ReadProgram& read : tape.programs) {
-    for (std::size_t i = 0; i < read.program.blocks.size(); ++i)
-      job.lines[{read.program.number, read.program.blocks[i].number}] = read.lines[i];
-    job.in_file_order.push_back(read.program);
-    job.programs.put(read.program);
+  job.recorded_data = std::move(tape.machine_data);
+  for (language::ReadProgram& read : tape.programs) {
+    const std::uint16_t number = read.program.number;
+    job.in_file_order.push_back(number);
+    job.lines[number] = std::move(read.lines);
+    job.programs.put(std::move(read.program));
   }
   return true;
 }
@@ -63,7 +66,7 @@ bool read_tools(const Options& options, Job& job) {
     print_problem(options.tools_file, text.error());
     return false;
   }
-  language::Tape tape = language::read_tape(*text, reading_of(options), options.tongue);
+  language::Tape tape = language::read_programs_text(*text, reading_of(options), options.tongue);
   Job tools_job;
   tools_job.file = options.tools_file;
   tools_job.tongue = options.tongue;
@@ -71,6 +74,7 @@ bool read_tools(const Options& options, Job& job) {
   if (!tape.errors.empty()) return false;
   for (language::ReadProgram& read : tape.programs) {
     if (read.program.number != language::kToolTable) continue;
+    job.lines.erase(language::kToolTable);  // the table of FILE counts no more, nor do its lines
     job.programs.put(std::move(read.program));
     return true;
   }
@@ -99,11 +103,8 @@ bool read_data(const Options& options, Job& job) {
 }
 
 void choose_start(const Options& options, Job& job) {
-  for (const language::Program& program : job.in_file_order) {
-    if (program.number == language::kToolTable) continue;
-    job.start.program = program.number;
-    break;
-  }
+  const auto first = std::ranges::find_if(job.in_file_order, [](int number) { return number != language::kToolTable; });
+  if (first != job.in_file_order.end()) job.start.program = *first;
   if (options.program) job.start.program = *options.program;
   const language::Program* program = job.programs.find(job.start.program);
   if (program != nullptr && !program->blocks.empty()) job.start.block = program->blocks.front().number;
@@ -112,9 +113,16 @@ void choose_start(const Options& options, Job& job) {
 
 }  // namespace
 
+/// 0 where the block does not stand in the file.
+int Job::line_of(std::uint16_t number, std::uint16_t block) const {
+  const auto found = lines.find(number);
+  const language::Program* program = programs.find(number);
+  const auto index = program == nullptr ? std::nullopt : program->find(block);
+  return found != lines.end() && index && *index < found->second.size() ? found->second[*index] : 0;
+}
+
 void Job::print(language::Error error) const {
-  if (error.line == 0)
-    if (const auto line = lines.find({error.program, error.block}); line != lines.end()) error.line = line->second;
+  if (error.line == 0) error.line = line_of(error.program, error.block);
   std::string text = file + ":";
   if (error.line > 0) text += fmt::format("{}:", error.line);
   if (const std::string place = language::place_of(error); !place.empty()) text += fmt::format(" {}:", place);

@@ -17,17 +17,19 @@ namespace cnclab::tool {
 struct Job {
   std::string file;
   language::Tongue tongue = language::Tongue::english;
-  std::vector<language::Program> in_file_order;  ///< as they stand in FILE
-  program::ProgramSet programs;                  ///< with the tool table of --tools
+  program::ProgramSet programs;                       ///< those of FILE, with the tool table of --tools
+  std::vector<std::uint16_t> in_file_order;           ///< their numbers as they stand in FILE
+  std::vector<language::MachineDatum> recorded_data;  ///< machine data in FILE; they are converted, never run with
   machine::MachineData data;
   program::Settings settings;
   program::Start start;
   std::vector<language::Error> tape_errors;
   std::vector<std::string> notices;
-  std::map<std::pair<std::uint16_t, std::uint16_t>, int> lines;  ///< program and block to line
+  std::map<std::uint16_t, std::vector<int>> lines;  ///< of each program: the line of each of its blocks
 
   /// Prints "FILE:LINE: P0001 N003: message", with what is known of it.
   void print(language::Error error) const;
+  [[nodiscard]] int line_of(std::uint16_t number, std::uint16_t block) const;
 };
 
 /// Reads all files that the options name.

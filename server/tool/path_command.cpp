@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "geometry/path_json.hpp"
+#include "program/path_source.hpp"
 #include "tool/job.hpp"
 #include "tool/text_file.hpp"
 
@@ -25,33 +26,42 @@ int say_write_error(const Options& options) {
   return kExitError;
 }
 
+/// Prints what has a printed form, and empties `items`.
+void append_items(std::string& text, std::vector<geometry::PathItem>& items) {
+  for (const geometry::PathItem& item : items)
+    if (geometry::append_json(text, item)) text += '\n';
+  items.clear();
+}
+
 }  // namespace
 
 int path(const Options& options) {
   const auto job = open_sound_job(options);
   if (!job) return kExitError;
-  auto interpreter = program::Interpreter::begin(job->programs, job->settings, job->start);
-  if (!interpreter) {
-    job->print(interpreter.error());
+  auto source = program::PathSource::begin(job->programs, job->settings, job->start);
+  if (!source) {
+    job->print(source.error());
     return kExitError;
   }
   std::vector<geometry::PathItem> items;
   std::string text;
-  for (std::uint64_t blocks = 0; blocks < options.most_blocks && !interpreter->ended(); ++blocks) {
-    items.clear();
-    const auto executed = interpreter->step(items);
-    if (!executed) {
-      if (!write_out(text)) return say_write_error(options);
-      std::fflush(stdout);
-      job->print(executed.error());
-      return kExitError;
-    }
-    for (const geometry::PathItem& item : items)
-      if (geometry::append_json(text, item)) text += '\n';
+  std::optional<language::Error> error;
+  for (std::uint64_t blocks = 0; blocks < options.most_blocks && !source->ended(); ++blocks) {
+    const auto executed = source->step(items);
+    append_items(text, items);
+    if (!executed) error = executed.error();
     if (text.size() >= kWriteAt_bytes && !write_out(text)) return say_write_error(options);
   }
+  const bool is_cut = !source->ended();
+  if (is_cut && !error)
+    if (const auto flushed = source->flush(items); !flushed) error = flushed.error();
+  append_items(text, items);
   if (!write_out(text) || std::fflush(stdout) != 0) return say_write_error(options);
-  if (!interpreter->ended())
+  if (error) {
+    job->print(*error);
+    return kExitError;
+  }
+  if (is_cut)
     print_problem(job->file, fmt::format(fmt::runtime(say(options.tongue, "nach {} Sätzen abgebrochen (--max-blocks).",
                                                           "stopped after {} blocks (--max-blocks).")),
                                          options.most_blocks));

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "drawing/path_svg.hpp"
+#include "program/path_source.hpp"
 #include "tool/job.hpp"
 #include "tool/text_file.hpp"
 
@@ -46,37 +47,56 @@ void cut_at_switches(std::vector<geometry::PathItem>& path, const program::Setti
   }
 }
 
+/// What is drawn: the tool's path, and the programmed contour where the tool keeps beside it (G41 to G44).
+struct Drawn {
+  std::vector<geometry::PathItem> path, contour;
+};
+
+bool is_beside(program::RadiusCompensation side) { return side != program::RadiusCompensation::off; }
+
+void append_ways(const std::vector<geometry::PathItem>& items, std::vector<geometry::PathItem>& ways) {
+  std::ranges::copy_if(items, std::back_inserter(ways), is_way);
+}
+
+void say_that_it_loops(const Job& job, const Options& options, std::size_t elements) {
+  print_problem(job.file,
+                fmt::format(fmt::runtime(say(options.tongue, "Programm endet nicht: gezeichnet sind {} Elemente.",
+                                             "program does not end: {} elements are drawn.")),
+                            elements));
+}
+
 /// The elements of the program, or nothing after its error was printed.
-std::optional<std::vector<geometry::PathItem>> path_of(const Job& job, const Options& options) {
-  auto interpreter = program::Interpreter::begin(job.programs, job.settings, job.start);
-  if (!interpreter) {
-    job.print(interpreter.error());
+std::optional<Drawn> drawn_of(const Job& job, const Options& options) {
+  auto source = program::PathSource::begin(job.programs, job.settings, job.start);
+  if (!source) {
+    job.print(source.error());
     return std::nullopt;
   }
-  std::vector<geometry::PathItem> path, items;
+  Drawn drawn;
+  std::vector<geometry::PathItem> items;
   const std::uint64_t most_blocks = std::min(options.most_blocks, kMostBlocks);
-  std::uint64_t blocks = 0;
-  for (; blocks < most_blocks && path.size() < kMostElements && !interpreter->ended(); ++blocks) {
+  for (std::uint64_t blocks = 0; blocks < most_blocks && drawn.path.size() < kMostElements && !source->ended();
+       ++blocks) {
     items.clear();
-    const auto executed = interpreter->step(items);
+    const auto executed = source->step(items);
     if (!executed) {
       job.print(executed.error());
       return std::nullopt;
     }
-    std::ranges::copy_if(items, std::back_inserter(path), is_way);
+    append_ways(items, drawn.path);
+    if (is_beside(source->interpreter().modal().radius)) append_ways(source->programmed(), drawn.contour);
   }
-  if (interpreter->ended()) return path;
-  cut_at_switches(path, job.settings);
-  print_problem(job.file,
-                fmt::format(fmt::runtime(say(options.tongue, "Programm endet nicht: gezeichnet sind {} Elemente.",
-                                             "program does not end: {} elements are drawn.")),
-                            path.size()));
-  return path;
+  if (source->ended()) return drawn;
+  cut_at_switches(drawn.path, job.settings);
+  cut_at_switches(drawn.contour, job.settings);
+  say_that_it_loops(job, options, drawn.path.size());
+  return drawn;
 }
 
 drawing::Captions captions_of(language::Tongue tongue) {
   if (tongue == language::Tongue::german) return {};
-  return {.start = "start", .end = "end", .feed = "feed", .rapid = "rapid", .workpiece = "workpiece"};
+  return {
+      .start = "start", .end = "end", .feed = "feed", .rapid = "rapid", .workpiece = "workpiece", .contour = "contour"};
 }
 
 }  // namespace
@@ -84,13 +104,14 @@ drawing::Captions captions_of(language::Tongue tongue) {
 int plot(const Options& options) {
   const auto job = open_sound_job(options);
   if (!job) return kExitError;
-  const auto path = path_of(*job, options);
-  if (!path) return kExitError;
+  const auto drawn = drawn_of(*job, options);
+  if (!drawn) return kExitError;
   const std::string title = fmt::format("P{:04}", job->start.program);
-  const std::string svg = drawing::path_svg(*path, {.title = title,
-                                                    .view = view_of(options.view),
-                                                    .workpiece = drawing::standard_workpiece(job->start.position),
-                                                    .captions = captions_of(options.tongue)});
+  const std::string svg = drawing::path_svg(drawn->path, {.title = title,
+                                                          .view = view_of(options.view),
+                                                          .workpiece = drawing::standard_workpiece(job->start.position),
+                                                          .contour = drawn->contour,
+                                                          .captions = captions_of(options.tongue)});
   std::ofstream out(options.out_file, std::ios::binary | std::ios::trunc);
   out << svg;
   out.flush();

@@ -74,17 +74,17 @@ Simulation::Simulation(const Job& job, const Options& options, Recording recordi
 double Simulation::time_s() const { return static_cast<double>(ticks_) * options_.tick_ms / 1000; }
 
 std::expected<RunSummary, language::Error> Simulation::run() {
-  auto interpreter = program::Interpreter::begin(job_.programs, job_.settings, job_.start);
-  if (!interpreter) return std::unexpected(interpreter.error());
+  auto source = program::PathSource::begin(job_.programs, job_.settings, job_.start);
+  if (!source) return std::unexpected(source.error());
   channel_.grant(kEpoch, machine::kNeverExpires);
   channel_.set_override(1);
   channel_.record_trace(recording_.trace != nullptr);
   motion::Planner& planner = *channel_.begin_run(kEpoch, job_.start.position);  // the ring is empty, so there is one
-  feed(*interpreter, planner);
+  feed(*source, planner);
   static_cast<void>(channel_.command(machine::Go{kEpoch}));
   std::optional<RunEnd> end;
   while (!end) {
-    if (waiting_.size() < kFillBelow) feed(*interpreter, planner);
+    if (waiting_.size() < kFillBelow) feed(*source, planner);
     ++ticks_;
     channel_.tick(std::llround(time_s() * 1e9), options_.tick_ms / 1000);
     const machine::Snapshot now = channel_.snapshot();
@@ -112,22 +112,10 @@ void Simulation::conclude(RunEnd end, const machine::Snapshot& last) {
   if (under_way.item.ends_block) summary_.blocks = under_way.item.sequence;
 }
 
-/// Keeps the window filled; a block that does not fit waits in `pending_`.
-void Simulation::feed(program::Interpreter& interpreter, motion::Planner& planner) {
-  while (waiting_.size() < kFillTo) {
-    if (pending_.empty()) {
-      if (all_fed_ || fed_blocks_ >= options_.most_blocks || interpreter.ended()) {
-        all_fed_ = true;
-        break;
-      }
-      const auto executed = interpreter.step(pending_);
-      if (!executed) {
-        summary_.error = executed.error();
-        all_fed_ = true;
-        break;
-      }
-      ++fed_blocks_;
-    }
+/// Keeps the window filled. Input 1 is inactive all the time here, so blocks that ask for it need no answer.
+void Simulation::feed(program::PathSource& source, motion::Planner& planner) {
+  while (!all_fed_ && waiting_.size() < kFillTo) {
+    all_fed_ = !take_block(source);
     for (const geometry::PathItem& item : pending_) {
       static_cast<void>(planner.append(item));  // kFillTo and a block's few items stay far below the window
       waiting_.push_back({.item = item, .length_mm = length_of(item)});
@@ -135,6 +123,20 @@ void Simulation::feed(program::Interpreter& interpreter, motion::Planner& planne
     pending_.clear();
   }
   planner.plan();
+}
+
+/// Executes the next block into `pending_`. False when nothing follows: the end, an error or the block limit.
+bool Simulation::take_block(program::PathSource& source) {
+  if (source.ended()) return false;
+  if (fed_blocks_ >= options_.most_blocks) {
+    if (auto flushed = source.flush(pending_); !flushed) summary_.error = flushed.error();
+    return false;
+  }
+  const auto executed = source.step(pending_);
+  ++fed_blocks_;
+  if (executed) return true;
+  summary_.error = executed.error();
+  return false;
 }
 
 /// Items behind the machine are added up; of the one it is in, the way so far.

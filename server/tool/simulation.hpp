@@ -10,7 +10,7 @@
 
 #include "machine/channel.hpp"
 #include "machine/simulated_machine.hpp"
-#include "program/interpreter.hpp"
+#include "program/path_source.hpp"
 #include "tool/job.hpp"
 
 namespace cnclab::tool {
@@ -72,7 +72,8 @@ class Simulation {
     double length_mm = 0;
   };
 
-  void feed(program::Interpreter& interpreter, motion::Planner& planner);
+  void feed(program::PathSource& source, motion::Planner& planner);
+  bool take_block(program::PathSource& source);
   void account(const machine::Snapshot& now);
   void note_event(const geometry::PathItem& item);
   void write_trace();
@@ -87,7 +88,7 @@ class Simulation {
   StepRecorder recorder_;
   machine::Channel channel_;
   std::deque<Waiting> waiting_;              ///< pushed and not yet passed
-  std::vector<geometry::PathItem> pending_;  ///< of a block that did not fit the window
+  std::vector<geometry::PathItem> pending_;  ///< finished items on their way into the window
   std::uint64_t passed_ = 0;                 ///< segments that the machine has passed
   std::uint64_t fed_blocks_ = 0;
   bool all_fed_ = false;

@@ -3,6 +3,8 @@
 
 #include <rapidcheck.h>
 
+#include <ostream>
+
 #include "language/block.hpp"
 #include "language/block_form.hpp"
 
@@ -13,5 +15,9 @@ namespace cnclab::language {
 
 /// One to thirty blocks with ascending numbers and gaps; P0000 holds tool rows, the others everything else.
 [[nodiscard]] rc::Gen<Program> random_program();
+
+/// What RapidCheck prints of a case that fails.
+void showValue(const Block& block, std::ostream& out);
+void showValue(const Program& program, std::ostream& out);
 
 }  // namespace cnclab::language

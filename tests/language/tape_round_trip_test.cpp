@@ -10,15 +10,6 @@
 #include "random_program.hpp"
 #include "tape_block.hpp"
 
-namespace rc {
-
-/// What RapidCheck prints of a failing program.
-void showValue(const cnclab::language::Program& program, std::ostream& out) {
-  out << cnclab::language::write_program(program);
-}
-
-}  // namespace rc
-
 namespace cnclab::language {
 namespace {
 

@@ -35,7 +35,9 @@ TEST_P(Golden, PathIsTheOneWorkedOut) {
 
 INSTANTIATE_TEST_SUITE_P(, Golden,
                          testing::Values(GoldenRow{"picture7", 1, 10}, GoldenRow{"ex040", 1, 100},
-                                         GoldenRow{"ex100", 2, 100}, GoldenRow{"planes", 7, 100}),
+                                         GoldenRow{"ex100", 2, 100}, GoldenRow{"planes", 7, 100},
+                                         GoldenRow{"ex070", 1, 100}, GoldenRow{"ex094", 1, 100},
+                                         GoldenRow{"radius", 3, 100}, GoldenRow{"events", 4, 100}),
                          [](const auto& row) { return std::string(row.param.name); });
 
 }  // namespace

@@ -1,3 +1,3 @@
-(3: P0001 N001: F - ist kein Wort der Steuerung, richtig: 0001..9999. Text berichtigen.)
+(3: P0001 N001: F - ist so nicht lesbar, richtig: 0001..9999. Text berichtigen.)
 P0001
 N001 G11 F-100

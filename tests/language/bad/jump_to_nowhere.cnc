@@ -1,3 +1,3 @@
-(3: P0001 N001: N ist kein Wort der Steuerung, richtig: 001..999. Text berichtigen.)
+(3: P0001 N001: N ist so nicht lesbar, richtig: 001..999. Text berichtigen.)
 P0001
 N001 \53 N5

@@ -1,0 +1,29 @@
+// What execution must know of compensation, though only the stages behind it move the path (COMP, D-64, D-69, D-74).
+#pragma once
+
+#include "program/block_run.hpp"
+#include "program/ways.hpp"
+
+namespace cnclab::program {
+
+/// Is any of G41 to G44, G46 in force (D-69)?
+[[nodiscard]] bool is_compensating(const ModalState& modal);
+
+/// The same, or something of an earlier compensation has yet to be left.
+[[nodiscard]] bool is_path_compensated(const ExecutionState& state);
+
+/// Neither the position may be renamed nor a switch be searched while path and programmed position differ (D-64).
+/// errors: compensation_impossible
+[[nodiscard]] Outcome check_uncompensated(const BlockRun& run);
+
+/// Keeps account of the axes whose path may lie beside the programmed position after the way to `target`.
+void follow_compensation(ExecutionState& state, const Target& target);
+
+/// Takes radius or length of the tool in force (D-74); 0 where there is none (COMP-003).
+void take_radius(ModalState& modal, const ProgramSet& programs);
+void take_length(ModalState& modal, const ProgramSet& programs);
+
+/// Tells the stages what a run finds in force at its start.
+void announce_compensation(BlockRun& run);
+
+}  // namespace cnclab::program

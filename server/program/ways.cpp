@@ -1,0 +1,93 @@
+// Targets in whole nanometres, so that no sum ever rounds.
+#include "program/ways.hpp"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#include "program/compensation.hpp"
+#include "program/words.hpp"
+
+namespace cnclab::program {
+
+namespace {
+
+using language::Address;
+using language::ErrorCode;
+
+constexpr std::array kAxisWords{Address::X, Address::Y, Address::Z};
+/// Sums beyond 100 km leave the exact range of a path coordinate; no machine is that long.
+constexpr std::int64_t kFarthest_nm = 100'000'000'000'000;
+
+}  // namespace
+
+PlaneIndices indices_of(geometry::Plane plane) {
+  switch (plane) {
+    case geometry::Plane::xy:
+      return {.in_plane = {0, 1}, .normal = 2};
+    case geometry::Plane::xz:
+      return {.in_plane = {0, 2}, .normal = 1};
+    case geometry::Plane::yz:
+      return {.in_plane = {1, 2}, .normal = 0};
+  }
+  return {.in_plane = {0, 1}, .normal = 2};
+}
+
+bool is_way(language::Function function) {
+  if (function.kind != language::Function::Kind::g) return false;
+  const int code = function.code > 60 && function.code < 67 ? function.code - 60 : function.code;
+  return code <= 8 && code != 4;
+}
+
+std::string in_mm(double value_mm) { return fmt::format("{:.3f}", value_mm); }
+
+std::expected<Target, language::Error> target_of(const BlockRun& run) {
+  const ExecutionState& state = run.state;
+  Target target{.programmed_nm = state.programmed_nm, .path = state.path};
+  for (std::size_t axis = 0; axis < kAxisWords.size(); ++axis) {
+    const language::Word* word = run.block.find(kAxisWords[axis]);
+    if (word == nullptr) continue;
+    target.named_axes |= axis_bit(axis);
+    const std::int64_t scaled_nm = word->number * state.modal.scale[axis];
+    const std::int64_t before_nm = state.programmed_nm[axis];
+    const std::int64_t after_nm = state.modal.dimension == Dimension::absolute ? scaled_nm : before_nm + scaled_nm;
+    const std::int64_t path_nm = after_nm + state.offset_nm[axis];
+    if (std::max(std::abs(after_nm), std::abs(path_nm)) > kFarthest_nm)
+      return error_at(ErrorCode::word_out_of_range, run.source, language::letter(kAxisWords[axis]),
+                      in_mm(static_cast<double>(after_nm) / kNanometresPerMm));
+    target.programmed_nm[axis] = after_nm;
+    if (after_nm != before_nm) target.path.*kPathAxes[axis] = static_cast<double>(path_nm) / kNanometresPerMm;
+  }
+  return target;
+}
+
+Outcome check_feed(const BlockRun& run) {
+  const int feed = run.state.modal.feed_mm_per_min;
+  if (feed <= 0) return error_at(ErrorCode::feed_missing, run.source, 'F');
+  if (feed > run.settings.f_max_mm_per_min) return feed_above_limit(run.source, feed, run.settings);
+  return {};
+}
+
+void arrive(BlockRun& run, const Target& target) {
+  follow_compensation(run.state, target);
+  run.state.programmed_nm = target.programmed_nm;
+  run.state.path = target.path;
+}
+
+void go_straight(BlockRun& run, const Target& target, double feed_mm_per_min, bool is_rapid) {
+  const bool may_enter_or_leave = target.named_axes != 0 && is_path_compensated(run.state);
+  if (target.path != run.state.path || may_enter_or_leave)
+    run.emit_way(
+        geometry::Line{
+            .from = run.state.path, .to = target.path, .feed_mm_per_min = feed_mm_per_min, .is_rapid = is_rapid},
+        target.named_axes);
+  arrive(run, target);
+}
+
+void go_round(BlockRun& run, const Target& target, const geometry::Arc& arc) {
+  run.emit_way(arc, target.named_axes);
+  arrive(run, target);
+}
+
+}  // namespace cnclab::program
