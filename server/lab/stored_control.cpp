@@ -99,6 +99,13 @@ bool is_damaged(const std::vector<db::StoredDatum>& data) {
   });
 }
 
+int used_bytes(const panel::Memory& memory) {
+  int bytes = 0;
+  for (const language::Program& program : memory.programs())
+    for (const language::Block& block : program.blocks) bytes += language::cost_bytes(block);
+  return bytes;
+}
+
 machine::MachineData machine_data_of(const std::vector<db::StoredDatum>& data) {
   machine::MachineData result;
   if (is_damaged(data)) return result;

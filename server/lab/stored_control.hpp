@@ -25,6 +25,9 @@ struct StoredControl {
 
 /// Has one of the machine data a check code that does not fit?
 [[nodiscard]] bool is_damaged(const std::vector<db::StoredDatum>& data);
+/// What the programs take of the memory, whether it is that large or not.
+[[nodiscard]] int used_bytes(const panel::Memory& memory);
+
 /// Where one is damaged the set from the ROM takes the place of all (ERR-014).
 [[nodiscard]] machine::MachineData machine_data_of(const std::vector<db::StoredDatum>& data);
 
