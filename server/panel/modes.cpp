@@ -28,8 +28,9 @@ ActiveMode open_mode(Mode mode, ControlState& state) {
       return EraseMemoryMode{};
     case Mode::editor:
       return open_editor(state);
-    case Mode::external_data:
     case Mode::graphics:
+      return open_graphics(state);
+    case Mode::external_data:
     case Mode::machine_data:
     case Mode::memory_test:
       return ComingMode{mode};
@@ -50,7 +51,8 @@ Mode mode_of(const ActiveMode& mode) {
       Overloaded{
           [](const MenuMode&) { return Mode::menu; }, [](const HandMode&) { return Mode::hand; },
           [](const HandInputMode&) { return Mode::hand_input; }, [](const TeachInMode&) { return Mode::teach_in; },
-          [](const EraseMemoryMode&) { return Mode::erase_memory; }, [](const AutomatMode&) { return Mode::automat; },
+          [](const EraseMemoryMode&) { return Mode::erase_memory; },
+          [](const GraphicsMode&) { return Mode::graphics; }, [](const AutomatMode&) { return Mode::automat; },
           [](const EditorMode&) { return Mode::editor; }, [](const ComingMode& coming) { return coming.mode; }},
       mode);
 }

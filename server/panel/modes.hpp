@@ -7,6 +7,7 @@
 #include "panel/automat_mode.hpp"
 #include "panel/coming_mode.hpp"
 #include "panel/editor_mode.hpp"
+#include "panel/graphics_mode.hpp"
 #include "panel/erase_memory_mode.hpp"
 #include "panel/hand_input_mode.hpp"
 #include "panel/hand_mode.hpp"
@@ -16,7 +17,7 @@
 namespace cnclab::panel {
 
 using ActiveMode =
-    std::variant<MenuMode, HandMode, HandInputMode, TeachInMode, AutomatMode, EditorMode, EraseMemoryMode, ComingMode>;
+    std::variant<MenuMode, HandMode, HandInputMode, TeachInMode, AutomatMode, EditorMode, GraphicsMode, EraseMemoryMode, ComingMode>;
 
 [[nodiscard]] ActiveMode open_mode(Mode mode, ControlState& state);
 /// Called before another mode becomes active.
