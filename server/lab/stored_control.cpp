@@ -82,6 +82,13 @@ panel::Memory memory_of(const std::vector<db::StoredProgram>& programs, int memo
   return memory;
 }
 
+int used_bytes(const panel::Memory& memory) {
+  int bytes = 0;
+  for (const language::Program& program : memory.programs())
+    for (const language::Block& block : program.blocks) bytes += language::cost_bytes(block);
+  return bytes;
+}
+
 machine::MachineData machine_data_of(const std::vector<db::StoredDatum>& data) {
   machine::MachineData result;
   // F START/STOP may not exceed F MAX, so the order of setting matters: greatest numbers last would refuse a valid set.

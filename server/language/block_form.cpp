@@ -98,14 +98,25 @@ constexpr FormSets make_form_sets(SetOf set_of) {
 constexpr FormSets kFormSets = make_form_sets(set_of_words);
 constexpr FormSets kRequiredSets = make_form_sets(set_of_required_words);
 
+/// The addresses of a function in all its planes, by kind and code.
+using FunctionSets = std::array<std::array<AddressSet, kCodes>, 2>;
+
+constexpr FunctionSets make_any_plane_sets() {
+  FunctionSets sets{};
+  for (const BlockForm& form : kForms)
+    if (form.function.kind != Kind::tool)
+      sets[static_cast<std::size_t>(form.function.kind)][form.function.code] |= set_of_words(form);
+  return sets;
+}
+constexpr FunctionSets kAnyPlaneSets = make_any_plane_sets();
+
 /// No function has more words than a block has room for, not even with those of all its planes.
 constexpr bool blocks_hold_all_words() {
-  for (const BlockForm& form : kForms) {
-    AddressSet set = 0;
-    for (const BlockForm& other : kForms)
-      if (other.function == form.function) set |= set_of_words(other);
-    if (form.words.size() > kMostWords || static_cast<std::size_t>(std::popcount(set)) > kMostWords) return false;
-  }
+  for (const BlockForm& form : kForms)
+    if (form.words.size() > kMostWords) return false;
+  for (const auto& sets : kAnyPlaneSets)
+    for (const AddressSet set : sets)
+      if (static_cast<std::size_t>(std::popcount(set)) > kMostWords) return false;
   return true;
 }
 static_assert(blocks_hold_all_words());
@@ -138,10 +149,9 @@ AddressSet required_addresses_of(const BlockForm& form) {
 }
 
 AddressSet addresses_in_any_plane(Function function) {
-  AddressSet set = 0;
-  for (const Plane plane : kAllPlanes)
-    if (const BlockForm* form = form_at(function, plane)) set |= addresses_of(*form);
-  return set;
+  if (function.kind == Kind::tool) return kFormSets[kToolForm];
+  if (function.code >= kCodes) return 0;
+  return kAnyPlaneSets[static_cast<std::size_t>(function.kind)][function.code];
 }
 
 Plane plane_of_words(Function function, AddressSet words, Plane fallback) {

@@ -44,6 +44,7 @@ enum class ErrorCode : std::uint8_t {
   travel_exceeded,          ///< the lab machine's travel (DEC-27, AUTH-011)
   block_number_wrong,       ///< outside 001..999, twice, or no room behind N999 (D-47)
   program_number_wrong,     ///< outside 0000..9999
+  program_empty,            ///< a number and no block behind it (tape, files)
   text_malformed,           ///< a character or number that is no word (tape, files)
   machine_datum_wrong,      ///< a recording's machine data: not N03=500000 (DEC-62)
   lower_case,               ///< a file with small letters outside comments (DEC-30)

@@ -281,7 +281,7 @@ TEST(Listing, EveryErrorIsListed) {
             "11 P ist so nicht lesbar, richtig: %. Text berichtigen.\n"
             "13 P0000: N ist so nicht lesbar, richtig: T001. Text berichtigen.\n"
             "14 P0000: Satznummer T 100 geht nicht, richtig: T001..T099. Andere Nummer wählen.\n"
-            "16 P0003: Das Programm: Übertragung falsch, richtig: N001. Daten prüfen, neu senden.\n");
+            "16 P0003: Das Programm hat keinen Satz, richtig: N001. Sätze ergänzen oder Nummer streichen.\n");
   EXPECT_EQ(programs_of(tape), "P0004\nN001G17\n");
 }
 
