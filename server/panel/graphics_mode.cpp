@@ -20,8 +20,8 @@ std::array<testrun::TravelRange, 3> travel_of(const machine::Snapshot& machine, 
   constexpr int kFirstSteps = 14;
   constexpr std::array kAxes{&geometry::Point::x, &geometry::Point::y, &geometry::Point::z};
   for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
-    start.*kAxes[axis] -= static_cast<double>(machine.steps[axis]) /
-                          static_cast<double>(data.get(kFirstSteps + static_cast<int>(axis)));
+    start.*kAxes[axis] -=
+        static_cast<double>(machine.steps[axis]) / static_cast<double>(data.get(kFirstSteps + static_cast<int>(axis)));
   return testrun::travel_about(start, data);
 }
 

@@ -6,8 +6,8 @@
 //
 //   monitor rows 3 to 15: the picture; row 16: block, share done, way, time, findings
 //
-// The keys act while it plays, too: 1 to 4 the view, 5 and 6 closer and farther, directions move the picture, ↓ the next
-// finding. The potentiometer sets the speed. Nothing moves, so this is no START state.
+// The keys act while it plays, too: 1 to 4 the view, 5 and 6 closer and farther, directions move the picture, ↓ the
+// next finding. The potentiometer sets the speed. Nothing moves, so this is no START state.
 #pragma once
 
 #include <optional>

@@ -7,8 +7,8 @@
 #include "panel/automat_mode.hpp"
 #include "panel/coming_mode.hpp"
 #include "panel/editor_mode.hpp"
-#include "panel/graphics_mode.hpp"
 #include "panel/erase_memory_mode.hpp"
+#include "panel/graphics_mode.hpp"
 #include "panel/hand_input_mode.hpp"
 #include "panel/hand_mode.hpp"
 #include "panel/menu_mode.hpp"
@@ -16,8 +16,8 @@
 
 namespace cnclab::panel {
 
-using ActiveMode =
-    std::variant<MenuMode, HandMode, HandInputMode, TeachInMode, AutomatMode, EditorMode, GraphicsMode, EraseMemoryMode, ComingMode>;
+using ActiveMode = std::variant<MenuMode, HandMode, HandInputMode, TeachInMode, AutomatMode, EditorMode, GraphicsMode,
+                                EraseMemoryMode, ComingMode>;
 
 [[nodiscard]] ActiveMode open_mode(Mode mode, ControlState& state);
 /// Called before another mode becomes active.
