@@ -235,6 +235,10 @@ constexpr Scene kScenes[] = {
     {"GR program", "GRAFIK", Place::graphics_program},
     {"GR", "GRAFIK ENTER", Place::graphics},
     {"SL", "SPEICHER_LOESCHEN", Place::erase_program},
+    {"MDM", "ENTER+RESET", Place::machine_data},
+    {"MT list", "3+6+9", Place::memory_list},
+    {"MT asked", "3+6+9 SPEICHER_LOESCHEN", Place::memory_confirm},
+    {"MT", "3+6+9 SPEICHER_LOESCHEN SPEICHER_LOESCHEN", Place::memory_running},
     {"SL all", "SPEICHER_LOESCHEN CLEAR", Place::erase_all},
 };
 
@@ -248,10 +252,11 @@ TEST(Keys, KEY_090_IgnoredKeysChangeNeitherMonitorNorState) {
       bench.keys(scene.keys);
       bench.run_for(10);
       const std::string before = visible_state(bench);
+      const int stores = bench.stores();
       bench.press(key);
       bench.run_for(10);
       EXPECT_EQ(visible_state(bench), before);
-      EXPECT_EQ(bench.stores(), 0);
+      EXPECT_EQ(bench.stores(), stores);
       EXPECT_FALSE(bench.snapshot().started);
       EXPECT_EQ(bench.control.take_beeps(), 0);
     }
