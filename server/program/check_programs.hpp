@@ -20,8 +20,8 @@ namespace cnclab::program {
 [[nodiscard]] std::vector<language::Error> dry_run(const ProgramSet& programs, const Settings& settings,
                                                    const Start& start, std::uint64_t most_blocks);
 
-/// The programs at which somebody would press START: those that no other program calls or jumps to; if there are none,
-/// the lowest. P0000 is none.
+/// The programs at which somebody would press START: those that no other program calls or jumps to. Where programs lead
+/// to each other in a ring, so that none of these comes to them, the lowest of the ring. P0000 is none.
 [[nodiscard]] std::vector<std::uint16_t> start_programs(const ProgramSet& programs);
 
 }  // namespace cnclab::program
