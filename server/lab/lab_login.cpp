@@ -237,7 +237,7 @@ void Lab::load_desk(const VisitPtr& visit) {
                settings.long_work = [this](std::function<void()> job) { long_work_.enqueue(std::move(job)); };
                const auto desk = std::make_shared<Desk>(person, std::move(settings),
                                                         memory_of(stored->programs, configuration_.memory_bytes),
-                                                        machine_data_of(stored->machine_data), ticks_);
+                                                        machine_data_of(stored->machine_data), ticks_, store_);
                if (!stored->state.empty()) desk->control.restore_state(stored->state);
                desk->made_ns = clock_.monotonic_ns();
                desk->saved_state = stored->state;
@@ -337,6 +337,7 @@ void Lab::dismiss(const DeskPtr& desk) {
     return;
   }
   save_state(desk);
+  end_recording(desk, *desk->recorder, machine::StopCause::operator_stop);
   desks_.erase(desk->person.id);
   everybody_changed();
 }

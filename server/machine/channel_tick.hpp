@@ -42,6 +42,7 @@ class ChannelTick {
   void guard_lease(std::int64_t now_ns) noexcept;
   [[nodiscard]] bool may(Epoch epoch) noexcept;
   void heed_stops() noexcept;
+  void heed(StopCause cause) noexcept;
   void stop_for(StopCause cause) noexcept;
   void note_cause(StopCause cause) noexcept;
   void come_to_rest(StopCause cause) noexcept;
@@ -120,6 +121,7 @@ class ChannelTick {
   std::array<bool, 3> referenced_{};
   std::uint8_t limit_axis_ = 0xFF;
   std::uint64_t tick_ = 0, stops_seen_ = 0, orders_ = 0, signals_ = 0, refused_ = 0, dropped_ = 0;
+  TickLevels levels_;         ///< of this tick
   bool was_started_ = false;  ///< in the last tick: the tick in which a run ends is traced too
 };
 

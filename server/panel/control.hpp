@@ -28,6 +28,8 @@
 
 namespace cnclab::panel {
 
+struct RunOrder;
+
 /// Configuration of one control (interfaces.md [control], decisions.md DEC-08).
 struct Settings {
   language::Vocabulary vocabulary{};
@@ -124,6 +126,8 @@ class Control {
   [[nodiscard]] Situation situation() const;
   [[nodiscard]] Mode mode() const;
   [[nodiscard]] bool is_running() const;  ///< START state
+  /// What the run that is present was begun with, also while it rests; nullptr where there is none (STO-007).
+  [[nodiscard]] std::shared_ptr<const RunOrder> run_order() const;
   /// Short tones since the last call; and whether the repeated tone of M01 sounds.
   [[nodiscard]] int take_beeps();
   [[nodiscard]] bool alarm_tone() const;

@@ -59,6 +59,7 @@ std::expected<void, language::Error> Run::begin(const Connection& connection, Ru
   if (!source) return std::unexpected(source.error());
   *this = Run{};
   connection_ = connection;
+  order_ = std::make_shared<const RunOrder>(order);
   programs_ = std::move(order.programs);
   first_modal_ = order.start.modal;
   source_ = std::move(*source);

@@ -74,6 +74,8 @@ class Run {
   [[nodiscard]] bool shows_blocks() const;  ///< false under M21, and in subprograms under M22
   [[nodiscard]] program::ModalState modal() const;
   [[nodiscard]] const program::ProgramSet& programs() const { return programs_; }
+  /// What it was begun with; nullptr where none is present. Another run has another one.
+  [[nodiscard]] const std::shared_ptr<const RunOrder>& order() const { return order_; }
   [[nodiscard]] bool sounds_alarm() const;  ///< M01 waits for START
 
  private:
@@ -106,6 +108,7 @@ class Run {
   std::uint64_t answer_tick_ = 0;     ///< from this tick on the snapshot knows of the last command
   std::uint64_t refused_before_ = 0;  ///< commands that had not been taken when START was pressed
 
+  std::shared_ptr<const RunOrder> order_;
   program::ProgramSet programs_;
   program::ModalState first_modal_;
   std::optional<program::PathSource> source_;
