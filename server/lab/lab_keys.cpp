@@ -185,6 +185,7 @@ void Lab::outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t num
   desk->is_dirty = true;
   if (outcome.store) store(desk, std::move(*outcome.store), number);
   if (outcome.mode_changed) save_state(desk);
+  record_run(desk);  // a run that begins now is recorded with the versions that the store has now
 }
 
 void Lab::store(const DeskPtr& desk, panel::StoreRequest request, std::uint64_t number) {

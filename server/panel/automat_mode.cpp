@@ -64,6 +64,8 @@ void begin_run(AutomatMode& mode, ControlState& state) {
                   .compensation_mm = state.compensation_mm},
                  state.effective_data(),
                  state.settings.vocabulary,
+                 state.settings.io_cards,
+                 state.settings.rests_accumulate,
                  state.settings.long_work};
   state.connection.channel->set_single_block(mode.single_block);
   const auto begun = state.run.begin(state.connection, std::move(order));

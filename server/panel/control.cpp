@@ -298,6 +298,8 @@ Situation Control::situation() const {
 
 Mode Control::mode() const { return mode_of(impl_->active); }
 
+std::shared_ptr<const RunOrder> Control::run_order() const { return impl_->state.run.order(); }
+
 bool Control::is_running() const { return is_start_state(impl_->place()); }
 
 int Control::take_beeps() {
