@@ -239,10 +239,20 @@ void Lab::load_desk(const VisitPtr& visit) {
                                                         memory_of(stored->programs, configuration_.memory_bytes),
                                                         machine_data_of(stored->machine_data), ticks_);
                if (!stored->state.empty()) desk->control.restore_state(stored->state);
+               if (is_damaged(stored->machine_data)) restore_machine_data(desk);
                desk->made_ns = clock_.monotonic_ns();
                desk->saved_state = stored->state;
                desks_[person.id] = desk;
                admit_station(visit);
+             });
+}
+
+void Lab::restore_machine_data(const DeskPtr& desk) {
+  desk->control.tell_data_restored();
+  store_.run([id = desk->person.id, author = db::Author{desk->person.name, desk->station, clock_.unix_ms()}](
+                 db::Database& database) { lab::carry_out(database, id, panel::PutMachineData{}, author); },
+             [name = desk->person.name](const std::expected<void, db::StoreError>& result) {
+               if (!result) spdlog::error("{}: machine data not restored: {}", name, result.error().text);
              });
 }
 
@@ -297,6 +307,7 @@ void Lab::sit_down(const VisitPtr& visit, const DeskPtr& desk, int station) {
       [id = desk->person.id, time = clock_.unix_ms()](db::Database& database) { database.set_last_seen(id, time); },
       [](const std::expected<void, db::StoreError>&) {});
   static_cast<void>(decide(LoggedIn{station, desk->login}, tongue_of(desk->person)));
+  set_locked(desk, locked_.contains(desk->person.id));
   everybody_changed();
 }
 
@@ -317,6 +328,7 @@ void Lab::vacate(const VisitPtr& visit, const std::string& why) {
   desk->waiting.clear();
   desk->keep_until_ns = clock_.monotonic_ns() + configuration_.keep_minutes * 60'000'000'000LL;
   write_journal("left", why, desk->station, desk->person.name);
+  if (desk->station == shown_station_) show_to_all(0);
   save_state(desk);
   std::erase_if(hands_, [&](const auto& hand) { return hand.lock() == desk; });
   everybody_changed();

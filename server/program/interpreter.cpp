@@ -17,7 +17,7 @@ namespace {
 std::int64_t to_nm(double mm) { return std::llround(mm * kNanometresPerMm); }
 std::int64_t to_um(std::int64_t nm) { return (nm >= 0 ? nm + 500 : nm - 500) / 1000; }
 
-/// The first block in reach that this version cannot execute (D-02: nothing moves before it is known).
+/// The first block in reach that this control cannot execute (D-02: nothing moves before it is known).
 Outcome check_executable(const ProgramSet& programs, const Settings& settings, const Start& start) {
   Outcome outcome;
   walk_reachable(programs, start.program, start.block, [&](geometry::SourceBlock source, const language::Block& block) {
@@ -130,6 +130,8 @@ BlockRun Interpreter::bench_for(const language::Block& block, std::vector<geomet
           .levels = levels_,
           .input_is_active = input_answer_.value_or(false),
           .state = state_,
+          .parameters = parameters_,
+          .result = result_,
           .out = out};
 }
 
@@ -143,7 +145,8 @@ std::expected<ExecutedBlock, language::Error> Interpreter::execute_block(std::ve
   const bool is_shown = !state_.modal.blocks_hidden && !run.passes_single_block;
 
   const std::size_t items_before = out.size();
-  if (Outcome outcome = execute_words(run); !outcome) return std::unexpected(outcome.error());
+  if (Outcome outcome = execute_words(run); !outcome)
+    return std::unexpected(naming_parameter(std::move(outcome.error()), level.program->blocks[level.next]));
   ended_ = go_on(run.flow);
   if (ended_) append_end(run);
   if (out.size() == items_before) run.emit(geometry::Mark{});
@@ -168,7 +171,7 @@ std::expected<std::optional<language::Block>, language::Error> Interpreter::prep
   const language::Block with_values = read_parameters(stored, parameters_, state_, programs_);
   if (is_dwell_of_nothing(with_values)) return with_values;  // DEC-53
   if (Outcome values = check_words(with_values, source, plane, settings_); !values)
-    return std::unexpected(values.error());
+    return std::unexpected(naming_parameter(std::move(values.error()), stored));
   return with_values;
 }
 

@@ -28,6 +28,7 @@ inline ProgramSet programs_of(std::string_view tape_text) {
 struct RunResult {
   std::vector<geometry::PathItem> items;
   std::vector<ExecutedBlock> blocks;
+  Parameters parameters{};  ///< after the run
   std::optional<language::Error> error;
 
   /// The order in which blocks ran: "P1N1 P1N2 …".
@@ -70,6 +71,7 @@ inline RunResult run_programs(const ProgramSet& programs, const Settings& settin
     }
     result.blocks.push_back(*executed);
   }
+  result.parameters = interpreter->parameters();
   return result;
 }
 

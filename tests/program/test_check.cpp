@@ -13,7 +13,7 @@ using testing::IsEmpty;
 
 TEST(CheckPrograms, FindsEveryFaultOfEveryProgram) {
   const ProgramSet programs = programs_of(
-      "P0001N001G00N002G20P0007N001N003G22P0002N009W00N004G01X+600000\nP0002N001G11F4000N002G81Z-"
+      "P0001N001G00N002G20P0007N001N003G22P0002N009W00N004G01X+600000\nP0002N001G11F4000N002G81Z+"
       "5000V002H0010N003G17%");
   std::string found;
   for (const language::Error& error : check_blocks(programs, Settings{}))
@@ -24,7 +24,7 @@ TEST(CheckPrograms, FindsEveryFaultOfEveryProgram) {
   EXPECT_EQ(found, line("P0001 N001", ErrorCode::word_missing) + line("P0001 N002", ErrorCode::program_missing) +
                        line("P0001 N003", ErrorCode::block_missing) + line("P0001 N004", ErrorCode::word_out_of_range) +
                        line("P0002 N001", ErrorCode::feed_above_limit) +
-                       line("P0002 N002", ErrorCode::not_in_this_version));
+                       line("P0002 N002", ErrorCode::cycle_value_wrong));
 }
 
 TEST(CheckPrograms, DryRunFindsWhatOnlyExecutionShows) {

@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "program/functions.hpp"
 #include "program/reachable.hpp"
 #include "program/rebuild_modal.hpp"
 #include "run_text.hpp"
@@ -212,34 +213,47 @@ TEST(FlowEnd, AnErrorLeavesTheStateBeforeTheBlock) {
   EXPECT_EQ(interpreter->step(items).error(), first.error());
 }
 
-struct UnsupportedRow {
+struct UnknownRow {
   const char* name;
   const char* text;
   const char* detail;
   int block;
 };
 
-class Unsupported : public testing::TestWithParam<UnsupportedRow> {};
+class UnknownFunctions : public testing::TestWithParam<UnknownRow> {};
 
-TEST_P(Unsupported, IsSaidBeforeAnythingMoves) {
-  const RunResult run = run_text(GetParam().text);
-  ASSERT_EQ(run.code(), ErrorCode::not_in_this_version);
+/// Without the functions that the manual marks as planned (BLK-200, DEC-08).
+RunResult run_without_planned(const char* text) {
+  Settings settings = wide_settings();
+  settings.vocabulary.planned_functions = false;
+  return run_text(text, 1000, {}, settings);
+}
+
+TEST_P(UnknownFunctions, AreSaidBeforeAnythingMoves) {
+  const RunResult run = run_without_planned(GetParam().text);
+  ASSERT_EQ(run.code(), ErrorCode::function_unknown);
   EXPECT_EQ(run.error->detail, GetParam().detail);
   EXPECT_EQ(run.error->block, GetParam().block);
   EXPECT_THAT(run.items, IsEmpty());
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    , Unsupported,
-    testing::Values(UnsupportedRow{"in_a_called_program",
-                                   "P0001N001G22P0002N001W00\nP0002N001G17N007G81Z-5000V002H0010%", "G81", 7},
-                    UnsupportedRow{"parametric_function", "P0001N001G00X+1000N002\\00#01+5000%", "↓00", 2},
-                    UnsupportedRow{"cycle", "P0001N001G81Z-5000V002H0010%", "G81", 1}),
+    , UnknownFunctions,
+    testing::Values(UnknownRow{"in_a_called_program", "P0001N001G22P0002N001W00\nP0002N001G17N007G81Z-5000V002H0010%",
+                               "G81", 7},
+                    UnknownRow{"parametric_function", "P0001N001G00X+1000N002\\15#01#02%", "↓15", 2},
+                    UnknownRow{"rounding", "P0001N001G00X+1000N002G10R+1000%", "G10", 2}),
     [](const auto& row) { return std::string(row.param.name); });
 
-TEST(UnsupportedReach, BlocksThatCannotBeReachedDoNotMatter) {
-  EXPECT_FALSE(run_text("P0001N001G20P0001N003N002G81Z-5000V002H0010N003G17%").error);
-  EXPECT_FALSE(run_text("P0001N001G11M02N002G81Z-5000V002H0010%").error);
+TEST(UnknownReach, BlocksThatCannotBeReachedDoNotMatter) {
+  EXPECT_FALSE(run_without_planned("P0001N001G20P0001N003N002G81Z-5000V002H0010N003G17%").error);
+  EXPECT_FALSE(run_without_planned("P0001N001G11M02N002G81Z-5000V002H0010%").error);
+}
+
+TEST(Functions, ThatCanBeKeyedInCanBeExecuted_BLK201) {
+  for (const language::BlockForm& form : language::all_forms())
+    EXPECT_EQ(handler_of(form.function) == nullptr, form.function.kind == language::Function::Kind::tool)
+        << int{form.function.code};
 }
 
 TEST(RebuildModal, TakesGroupsAndWordsBeforeTheStartBlock_DEC26) {
