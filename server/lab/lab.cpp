@@ -136,7 +136,7 @@ void Lab::poll() {
     return all;
   }();
   for (const DeskPtr& desk : desks) {
-    desk->control.poll(now(*desk));
+    if (auto polled = desk->control.poll(now(*desk)); polled.store) store(desk, std::move(*polled.store), 0);
     record_run(desk);
     if (!desk->is_seated() && now_ns >= desk->keep_until_ns) dismiss(desk);
     if (now_ns - desk->last_saved_ns >= 10 * kSecond_ns) save_state(desk);

@@ -25,6 +25,7 @@ v1::ServerMessage answer_with(v1::LoginResult result, const std::string& text) {
 
 panel::Settings settings_for(const Configuration& configuration, const db::Person& person, language::Tongue tongue) {
   panel::Settings settings;
+  settings.student = person.name;
   settings.vocabulary.model = configuration.model;
   if (person.model == "3300") settings.vocabulary.model = language::Model::cnc3300;
   if (person.model == "3250") settings.vocabulary.model = language::Model::cnc3250;

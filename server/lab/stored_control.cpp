@@ -68,6 +68,14 @@ struct CarryOut {
       }
     });
   }
+  void operator()(const panel::PutPrograms& put) const {
+    database.transaction([&] {
+      (*this)(panel::RemovePrograms{put.removed});
+      for (const language::Program& program : put.programs)
+        database.replace_program(person, program.number, stored_blocks(program), author);
+      if (put.data) (*this)(panel::PutMachineData{*put.data});
+    });
+  }
   void operator()(const panel::EraseMemory& all) const {
     database.transaction([&] {
       (*this)(panel::RemovePrograms{all.programs});

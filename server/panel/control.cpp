@@ -23,6 +23,11 @@ void apply(const StoreRequest& request, ControlState& state) {
   if (const auto* removed = std::get_if<RemovePrograms>(&request))
     for (const std::uint16_t program : removed->programs) state.memory.remove_program(program);
   if (const auto* data = std::get_if<PutMachineData>(&request)) state.data = data->data;
+  if (const auto* put = std::get_if<PutPrograms>(&request)) {
+    for (const std::uint16_t program : put->removed) state.memory.remove_program(program);
+    for (const language::Program& program : put->programs) state.memory.put_program(program);
+    if (put->data) state.data = *put->data;
+  }
   if (const auto* all = std::get_if<EraseMemory>(&request)) {
     for (const std::uint16_t program : all->programs) state.memory.remove_program(program);
     state.data = all->data;
@@ -34,18 +39,17 @@ bool stores_block(const StoreRequest& request) {
 }
 
 /// Row 18 says why a key had no effect.
-std::string hint_for(Key key, Place place, const ActiveMode& mode, const Settings& settings) {
+std::string hint_for(Key key, Place place, const Settings& settings) {
   const std::string_view label = label_of(key);
   const language::Tongue tongue = settings.tongue;
   if (place == Place::input_rest) return text(Text::hint_rest, tongue, {label});
   if (place == Place::automat_running) return text(Text::hint_running, tongue, {label});
   if (place == Place::automat_waiting || place == Place::input_waiting)
     return text(Text::hint_waiting, tongue, {label});
+  if (place == Place::external_transfer) return text(Text::hint_transfer, tongue, {label});
   if (is_start_state(place)) return text(Text::hint_moving, tongue, {label});
   if (place != Place::menu && is_opening(effect_of(Place::menu, key, settings.vocabulary)))
     return text(Text::hint_menu_first, tongue, {label});
-  if (const auto* coming = std::get_if<ComingMode>(&mode))
-    return text(Text::hint_coming, tongue, {title_of(coming->mode, tongue)});
   return text(Text::hint_no_effect, tongue, {label});
 }
 
@@ -115,6 +119,16 @@ struct Control::Impl {
     kept_istwert_mm.reset();
   }
 
+  void hand_out_media(Outcome& outcome) {
+    if (!state.media || state.is_media_pending) return;
+    outcome.media = std::exchange(state.media, std::nullopt);
+    state.is_media_pending = true;
+  }
+
+  [[nodiscard]] transfer::Time time() const {
+    return std::chrono::duration_cast<transfer::Time>(std::chrono::nanoseconds(state.now.monotonic_ns));
+  }
+
   [[nodiscard]] Place place() const { return place_of(active, state); }
   [[nodiscard]] std::string sentence(const SideView& side) const;
 
@@ -175,7 +189,7 @@ Outcome Control::press(Key key, const Now& now) {
   const Place place = impl_->place();
   const Effect effect = effect_of(place, key, state.settings.vocabulary);
   if (effect == Effect::ignored) {
-    if (state.settings.hints) state.hint = hint_for(key, place, impl_->active, state.settings);
+    if (state.settings.hints) state.hint = hint_for(key, place, state.settings);
     return outcome;
   }
   state.message = {};
@@ -185,6 +199,7 @@ Outcome Control::press(Key key, const Now& now) {
     panel::press(impl_->active, state, effect, figure_of(effect, key));
   impl_->obey_mode(outcome);
   outcome.store = state.storing;
+  impl_->hand_out_media(outcome);
   return outcome;
 }
 
@@ -214,7 +229,11 @@ Outcome Control::press_chord(const std::vector<Key>& keys, const Now& now) {
   return outcome;
 }
 
-void Control::release(Key, const Now&) {}  // no key of these modes acts on being released
+void Control::release(Key key, const Now& now) {
+  impl_->state.now = now;
+  auto* external = std::get_if<ExternalDataMode>(&impl_->active);
+  if (key == Key::ENTER && external != nullptr) release_enter(*external, impl_->state);
+}
 
 void Control::set_override(int percent) {
   impl_->state.override_percent = std::clamp(percent, 0, 100);
@@ -243,9 +262,51 @@ Outcome Control::poll(const Now& now) {
   ControlState& state = impl_->state;
   state.now = now;
   if (const auto turn = state.machine().spindle; turn != geometry::SpindleTurn::off) state.last_turn = turn;
+  const bool was_storing = state.storing.has_value();
+  if (state.recorder && !std::holds_alternative<ExternalDataMode>(impl_->active))
+    static_cast<void>(state.recorder->advance(impl_->time()));  // winding goes on in every mode
   follow(impl_->active, state);
   impl_->obey_mode(outcome);
+  if (!was_storing) outcome.store = state.storing;
+  impl_->hand_out_media(outcome);
   return outcome;
+}
+
+void Control::connect_media(bool is_connected) { impl_->state.has_media = is_connected; }
+
+void Control::media_done(const std::expected<std::string, std::string>& answer) {
+  ControlState& state = impl_->state;
+  if (!std::exchange(state.is_media_pending, false)) return;
+  if (std::exchange(state.is_media_stale, false)) return;
+  if (auto* external = std::get_if<ExternalDataMode>(&impl_->active)) media_answered(*external, state, answer);
+}
+
+void Control::insert_cassette(transfer::Cassette cassette, const Now& now) {
+  impl_->state.now = now;
+  if (!recorder_runs()) impl_->state.recorder.emplace(std::move(cassette), impl_->time());
+}
+
+std::optional<transfer::Cassette> Control::cassette() const {
+  if (!impl_->state.recorder) return std::nullopt;
+  return impl_->state.recorder->cassette();
+}
+
+bool Control::recorder_runs() const { return impl_->state.recorder && impl_->state.recorder->motor_runs(); }
+
+void Control::press_recorder(RecorderKey key, const Now& now) {
+  impl_->state.now = now;
+  if (!impl_->state.recorder) return;
+  transfer::CassetteDeck& recorder = *impl_->state.recorder;
+  switch (key) {
+    case RecorderKey::rewind:
+      return recorder.rewind(impl_->time());
+    case RecorderKey::wind_on:
+      return recorder.wind_on(impl_->time());
+    case RecorderKey::stop:
+      return recorder.stop(impl_->time());
+    case RecorderKey::zero_counter:
+      return recorder.zero_counter();
+  }
 }
 
 std::string Control::Impl::sentence(const SideView& side) const {

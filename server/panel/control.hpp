@@ -21,10 +21,12 @@
 #include "machine/machine_data.hpp"
 #include "panel/connection.hpp"
 #include "panel/long_work.hpp"
+#include "panel/media.hpp"
 #include "panel/memory.hpp"
 #include "panel/mode.hpp"
 #include "shared/key.hpp"
 #include "shared/screen.hpp"
+#include "transfer/cassette.hpp"
 
 namespace cnclab::panel {
 
@@ -37,6 +39,7 @@ struct Settings {
   bool hints = true;                     ///< row 18 says why a key was ignored
   bool start_in_middle_rebuilds = true;  ///< DEC-26
   int memory_bytes = 16384;
+  std::string student{};                           ///< who stands on printed pages
   bool keys_19inch = false;                        ///< the memory test is called by 1+4+7 instead of 3+6+9 (D-17)
   std::array<bool, 3> io_cards{true, true, true};  ///< which are fitted (D-124)
   bool rests_accumulate = false;                   ///< rests below one step add up as on the original (DEC-05)
@@ -78,13 +81,22 @@ struct EraseMemory {
   std::vector<std::uint16_t> programs;
   machine::MachineData data;
 };
-using StoreRequest = std::variant<PutBlock, InsertBlock, DeleteBlock, RemovePrograms, PutMachineData, EraseMemory>;
+/// What was read from outside, all of it at once: the programs replace those of their numbers, `removed` go before, and
+/// the machine data become `data` where there are any (EXT-023, EXT-024, EXT-026).
+struct PutPrograms {
+  std::vector<language::Program> programs;
+  std::vector<std::uint16_t> removed;
+  std::optional<machine::MachineData> data;
+};
+using StoreRequest =
+    std::variant<PutPrograms, PutBlock, InsertBlock, DeleteBlock, RemovePrograms, PutMachineData, EraseMemory>;
 
 /// What a key press led to besides a changed screen.
 struct Outcome {
   std::optional<StoreRequest> store;
-  bool mode_changed = false;  ///< the lab keeps the control's state (SEAT-004)
-  bool was_reset = false;     ///< RESET, alone or in a chord: a lease ends (DEC-39)
+  std::optional<MediaRequest> media{};  ///< to be answered by `media_done`, sooner or later
+  bool mode_changed = false;            ///< the lab keeps the control's state (SEAT-004)
+  bool was_reset = false;               ///< RESET, alone or in a chord: a lease ends (DEC-39)
 };
 
 /// What stands on a screen and decides whether a START pressed before it is still meant (AUTH-008).
@@ -128,8 +140,23 @@ class Control {
   /// The answer to the pending request; `error` is the sentence for row 18, empty when it is on disk.
   void store_done(const std::string& error);
 
-  /// To be called every 10 to 20 ms: feeds the run (at most 2 ms of work), follows the machine. Stores nothing.
+  /// To be called every 10 to 20 ms: feeds the run (at most 2 ms of work), follows the machine. Stores nothing but what
+  /// EXTERNE DATEN has read.
   Outcome poll(const Now& now);
+
+  /// Is there a place for files at the station? Without it printer, tape and diskette are not fitted (D-109).
+  void connect_media(bool is_connected);
+  /// The answer to the newest MediaRequest: the bytes that were read (empty where files were written), or a sentence.
+  void media_done(const std::expected<std::string, std::string>& answer);
+
+  /// The recorder's flap: without a cassette keys 2 and 6 are not fitted. Not while its motor runs.
+  void insert_cassette(transfer::Cassette cassette, const Now& now);
+  /// As it is now, to be kept; nothing while there is none. It changes only while `recorder_runs`.
+  [[nodiscard]] std::optional<transfer::Cassette> cassette() const;
+  [[nodiscard]] bool recorder_runs() const;
+  /// The recorder's own keys.
+  enum class RecorderKey : std::uint8_t { rewind, wind_on, stop, zero_counter };
+  void press_recorder(RecorderKey key, const Now& now);
 
   [[nodiscard]] Screen draw(const Now& now, const SideView& side) const;
   [[nodiscard]] Situation situation() const;

@@ -13,6 +13,7 @@
 #include "panel/run.hpp"
 #include "panel/texts.hpp"
 #include "program/modal_state.hpp"
+#include "transfer/cassette_deck.hpp"
 
 namespace cnclab::panel {
 
@@ -52,6 +53,11 @@ struct ControlState {
   Message message;
   std::string hint;  ///< why the last key was ignored; row 18 only
   std::optional<StoreRequest> storing;
+  std::optional<transfer::CassetteDeck> recorder;  ///< with a cassette in it
+  bool has_media = false;                          ///< the station has a place for files
+  std::optional<MediaRequest> media;               ///< to be handed out
+  bool is_media_pending = false;                   ///< handed out, the answer is awaited …
+  bool is_media_stale = false;                     ///< … and nobody wants it any more
   int beeps = 0;
   PanelClock clock;
   bool is_ram_faulty = false;     ///< injected: the memory test finds it (ERR-034)

@@ -1,6 +1,7 @@
 // What GRAFIK shows and says.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 
 #include "panel/graphics_mode.hpp"
@@ -17,14 +18,14 @@ std::string duration_text(double seconds) {
 
 std::string percent_text(double share) { return std::to_string(static_cast<int>(std::floor(share * 100))); }
 
-/// Row 16: "P0001 N012   45 %   X-Y   Weg 1234.567 mm   0:12:34   2 MELD."
+/// Row 16: "P0001 N012  45 %  X-Y    Weg 1234.567 mm  0:12:34  Meldungen 2"
 std::string status_line(const GraphicsMode& mode, language::Tongue tongue) {
   constexpr std::array<std::string_view, 4> kViews{"X-Y", "X-Z", "Y-Z", "X-Y-Z"};
   const GraphicTestView& view = mode.view;
   return fmt::format("P{:04} N{:03} {:>3} %  {:5}  {} {:.3f} mm  {}  {} {}", view.block.program, view.block.block,
                      percent_text(view.progress), kViews[static_cast<std::size_t>(mode.window.view)],
                      text(Text::graphics_way, tongue), view.path_mm, duration_text(view.machine_time_s),
-                     view.findings.size() + view.findings_left_off, text(Text::graphics_findings, tongue));
+                     text(Text::graphics_findings, tongue), view.findings.size() + view.findings_left_off);
 }
 
 void draw_prompt(const GraphicsMode& mode, const ControlState& state, Monitor& monitor) {

@@ -135,7 +135,17 @@ constexpr std::array kRows{
 
     stop(Place::teach_moving, Text::help_stop),
 
-    menu(Place::external_data),
+    KeyRow{Place::external_device, Key::D1, Key::D9, Effect::digit, Text::help_device},
+    menu(Place::external_device),
+
+    digits(Place::external_program),
+    one(Place::external_program, Key::CLEAR, Effect::clear, Text::help_choose_all),
+    enter(Place::external_program, Text::help_transfer),
+    menu(Place::external_program),
+
+    stop(Place::external_transfer, Text::help_abort),
+    one(Place::external_transfer, Key::SIGN, Effect::sign, Text::help_adopt),
+    enter(Place::external_transfer, Text::help_leader),
 
     digits(Place::graphics_program),
     clear(Place::graphics_program),

@@ -33,8 +33,10 @@ enum class Place : std::uint8_t {
   teach_ready,    ///< STOP state, no word chosen
   teach_word,     ///< STOP state, the marker stands on a word
   teach_moving,   ///< START state
-  // Modes in preparation
-  external_data,
+  // EXTERNE DATEN
+  external_device,    ///< a device is to be chosen
+  external_program,   ///< program number prompt
+  external_transfer,  ///< under way (D-107)
   // GRAFIK
   graphics_program,  ///< program number prompt
   graphics,          ///< the picture, playing or not

@@ -25,6 +25,8 @@ const language::Program* Memory::find(std::uint16_t number) const {
   return found == programs_.end() ? nullptr : &*found;
 }
 
+bool Memory::is_overfull() const { return used_bytes_ > language::empty_memory_bytes(memory_bytes_); }
+
 int Memory::free_bytes() const { return std::max(0, language::empty_memory_bytes(memory_bytes_) - used_bytes_); }
 
 language::Program& Memory::program_for(std::uint16_t number) {

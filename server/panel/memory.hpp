@@ -24,6 +24,8 @@ class Memory {
   [[nodiscard]] const std::vector<language::Program>& programs() const { return programs_; }
   /// The program, or nullptr; valid until the next change.
   [[nodiscard]] const language::Program* find(std::uint16_t number) const;
+  /// Does it hold more than there is room for? Only copies that are tried out may.
+  [[nodiscard]] bool is_overfull() const;
   [[nodiscard]] int free_bytes() const;  ///< SCR-006, never below 0
 
   void put_program(language::Program program);  ///< replaces, or appends in storage order; without blocks: removes

@@ -31,7 +31,7 @@ ActiveMode open_mode(Mode mode, ControlState& state) {
     case Mode::graphics:
       return open_graphics(state);
     case Mode::external_data:
-      return ComingMode{mode};
+      return open_external_data(state);
     case Mode::machine_data:
       return open_machine_data(state);
     case Mode::memory_test:
@@ -54,9 +54,10 @@ Mode mode_of(const ActiveMode& mode) {
           [](const MenuMode&) { return Mode::menu; }, [](const HandMode&) { return Mode::hand; },
           [](const HandInputMode&) { return Mode::hand_input; }, [](const TeachInMode&) { return Mode::teach_in; },
           [](const EraseMemoryMode&) { return Mode::erase_memory; }, [](const GraphicsMode&) { return Mode::graphics; },
+          [](const ExternalDataMode&) { return Mode::external_data; },
           [](const MachineDataMode&) { return Mode::machine_data; },
           [](const MemoryTestMode&) { return Mode::memory_test; }, [](const AutomatMode&) { return Mode::automat; },
-          [](const EditorMode&) { return Mode::editor; }, [](const ComingMode& coming) { return coming.mode; }},
+          [](const EditorMode&) { return Mode::editor; }},
       mode);
 }
 

@@ -5,9 +5,9 @@
 #include <variant>
 
 #include "panel/automat_mode.hpp"
-#include "panel/coming_mode.hpp"
 #include "panel/editor_mode.hpp"
 #include "panel/erase_memory_mode.hpp"
+#include "panel/external_data_mode.hpp"
 #include "panel/graphics_mode.hpp"
 #include "panel/hand_input_mode.hpp"
 #include "panel/hand_mode.hpp"
@@ -19,7 +19,7 @@
 namespace cnclab::panel {
 
 using ActiveMode = std::variant<MenuMode, HandMode, HandInputMode, TeachInMode, AutomatMode, EditorMode, GraphicsMode,
-                                EraseMemoryMode, MachineDataMode, MemoryTestMode, ComingMode>;
+                                EraseMemoryMode, MachineDataMode, MemoryTestMode, ExternalDataMode>;
 
 [[nodiscard]] ActiveMode open_mode(Mode mode, ControlState& state);
 /// Called before another mode becomes active.

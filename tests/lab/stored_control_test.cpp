@@ -83,6 +83,27 @@ TEST(StoredControl, StoresWhatAControlAsksFor) {
   EXPECT_FALSE(program->blocks[1].is_damaged) << "EDIT-020: the raised number has its own check code";
 }
 
+TEST(StoredControl, EXT_023_024_STO_005_WhatWasReadTakesTheOldOnesPlaceAndTheVersionsStay) {
+  auto database = db::Database::open(":memory:").value();
+  db::Person person;
+  person.name = "eva";
+  person.role = "student";
+  const auto id = database.add_person(person, 1).value();
+  const db::Author author{"eva", 3, 1};
+  carry_out(database, id, panel::PutBlock{1, block_of("N001G90")}, author);
+  carry_out(database, id, panel::PutBlock{2, block_of("N001G90")}, author);
+  machine::MachineData data;
+  ASSERT_TRUE(data.set(6, 2000));
+  const language::Program read{.number = 1, .blocks = {block_of("N001G91"), block_of("N005G00X+1000")}};
+  carry_out(database, id, panel::PutPrograms{.programs = {read}, .removed = {1, 2}, .data = data}, author);
+  const auto stored = read_control(database, id);
+  const auto memory = memory_of(stored.programs, 16384);
+  ASSERT_EQ(memory.programs().size(), 1U);
+  EXPECT_EQ(memory.programs()[0], read);
+  EXPECT_EQ(machine_data_of(stored.machine_data), data);
+  EXPECT_FALSE(database.versions(id, 2).empty());
+}
+
 TEST(StoredControl, MOD_077_STO_005_ErasingTheWholeMemoryResetsTheMachineDataAndKeepsTheVersions) {
   auto database = db::Database::open(":memory:").value();
   db::Person person;

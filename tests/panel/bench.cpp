@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "language/tape.hpp"
@@ -44,7 +45,20 @@ Bench::Bench(const Setup& setup)
   run_for(kMsPerPoll);
 }
 
-void Bench::answer() {
+void Bench::answer(const Outcome& outcome) {
+  if (outcome.media) {
+    std::expected<std::string, std::string> answer;
+    if (const auto* put = std::get_if<PutFiles>(&*outcome.media))
+      for (const MediaFile& file : put->files) media[file.name] = file.bytes;
+    if (const auto* get = std::get_if<GetFile>(&*outcome.media)) {
+      const auto there = std::ranges::find_if(get->names, [&](const auto& name) { return media.contains(name); });
+      if (there == get->names.end())
+        answer = std::unexpected("Datei " + get->names.front() + " fehlt.");
+      else
+        answer = media.at(*there);
+    }
+    control.media_done(answer);
+  }
   if (!control.is_storing()) return;
   ++stores_;
   control.store_done(next_store_error_.value_or(""));
@@ -52,9 +66,9 @@ void Bench::answer() {
 }
 
 void Bench::press(Key key) {
-  (void)control.press(key, now);
+  const Outcome outcome = control.press(key, now);
   control.release(key, now);
-  answer();
+  answer(outcome);
 }
 
 void Bench::keys(std::string_view names) {
@@ -65,8 +79,7 @@ void Bench::keys(std::string_view names) {
     if (chord.size() == 1) {
       press(chord.front());
     } else {
-      (void)control.press_chord(chord, now);
-      answer();
+      answer(control.press_chord(chord, now));
     }
   }
 }
@@ -83,8 +96,14 @@ void Bench::run_for(int ms) {
   for (int i = 0; i < ms; ++i) {
     now.monotonic_ns += kNsPerMs;
     channel->tick(now.monotonic_ns, 0.001);
-    if (now.monotonic_ns / kNsPerMs % kMsPerPoll == 0) control.poll(now);
+    if (now.monotonic_ns / kNsPerMs % kMsPerPoll == 0) answer(control.poll(now));
   }
+}
+
+void Bench::hold(Key key, int ms) {
+  answer(control.press(key, now));
+  run_for(ms);
+  control.release(key, now);
 }
 
 bool Bench::run_until(const std::function<bool()>& condition, int most_ms) {

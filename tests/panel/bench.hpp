@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -44,6 +45,9 @@ class Bench {
   void fail_next_store(std::string sentence) { next_store_error_ = std::move(sentence); }
   [[nodiscard]] int stores() const { return stores_; }
 
+  /// → or another key held so long.
+  void hold(Key key, int ms);
+
   [[nodiscard]] Screen screen() const;
   [[nodiscard]] std::string row(int index) const;        ///< without trailing blanks
   [[nodiscard]] std::string monitor(int index) const;    ///< a line of the 64×16 monitor, without trailing blanks
@@ -57,9 +61,10 @@ class Bench {
   Control control;
   Now now{0, {11, 39, 58, 2, 3, 82}};
   SideView side;
+  std::map<std::string, std::string> media;  ///< the files at the station
 
  private:
-  void answer();
+  void answer(const Outcome& outcome);
 
   std::optional<std::string> next_store_error_;
   int stores_ = 0;

@@ -84,6 +84,12 @@ bool play(Script& script, const std::string& command, const std::string& rest) {
     bench.fail_next_store(rest.substr(rest.find(' ') + 1));
   else if (command == "input")
     bench.machine.set_input(0, 0, rest == "on");
+  else if (command == "media")
+    bench.control.connect_media(rest == "on");
+  else if (command == "cassette")
+    bench.control.insert_cassette({}, bench.now);
+  else if (command == "hold")
+    bench.hold(key_of(rest.substr(rest.find(' ') + 1)).value(), std::stoi(rest));
   else if (command == "run")
     bench.run_for(std::stoi(rest));
   else if (command == "rest")

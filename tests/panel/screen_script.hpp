@@ -6,6 +6,8 @@
 //   keys AUTOMAT ENTER ENTER+RESET            pressed one after the other
 //   type 25.5                                 digits, point, - for the sign key
 //   pot 50 · damage P0001 N003 · store fails SENTENCE · input on|off
+//   media on | cassette                        a place for files at the station; an empty cassette in the recorder
+//   hold 6000 ENTER                           a key held so long, milliseconds
 //   run 250                                   virtual milliseconds
 //   rest                                      until the control is in STOP state
 //   until TEXT                                until TEXT stands somewhere on the screen

@@ -13,8 +13,7 @@ namespace {
 
 // The matrix KEY-090 as the manual has it, column by column: MN HA HE TI AU XD GR SL EM MDM. "-" is ignored.
 //
-//   move, run … the mode's own effect; → opens a mode. XD comes with the functions it shows; of it only MENU. GR is
-//   DEC-37.
+//   move, run … the mode's own effect; → opens a mode. GR is DEC-37; MENU is ignored in a transfer of XD (D-107).
 struct MatrixRow {
   std::string_view keys;
   std::array<std::string_view, 10> cells;
@@ -23,7 +22,7 @@ struct MatrixRow {
 constexpr MatrixRow kMatrix[] = {
     {"HAND", {"open_hand", "-", "open_hand", "open_hand", "-", "-", "-", "-", "-", "-"}},
     {"START", {"-", "start", "start", "start", "start", "-", "start", "-", "-", "-"}},
-    {"STOP", {"-", "stop", "-", "stop", "-", "-", "stop", "-", "-", "-"}},
+    {"STOP", {"-", "stop", "-", "stop", "-", "stop", "stop", "-", "-", "-"}},
     {"PLUS_X MINUS_X PLUS_Y MINUS_Y PLUS_Z MINUS_Z",
      {"-", "direction", "-", "direction", "-", "-", "direction", "-", "-", "-"}},
     {"ISTWERT", {"-", "istwert", "-", "-", "-", "-", "-", "-", "-", "-"}},
@@ -41,12 +40,12 @@ constexpr MatrixRow kMatrix[] = {
     {"EINGABE", {"open_editor", "-", "-", "store", "-", "-", "-", "-", "store", "enter"}},
     {"HANDEINGABE", {"open_input", "open_input", "-", "-", "-", "-", "-", "-", "-", "-"}},
     {"SATZ_LOESCHEN", {"-", "-", "-", "-", "-", "-", "-", "-", "erase", "-"}},
-    {"0 1 2 3 4 5 6 7 8 9", {"-", "digit", "digit", "digit", "digit", "-", "digit", "digit", "digit", "digit"}},
+    {"0 1 2 3 4 5 6 7 8 9", {"-", "digit", "digit", "digit", "digit", "digit", "digit", "digit", "digit", "digit"}},
     {"POINT", {"-", "point", "point", "point", "-", "-", "-", "-", "point", "-"}},
-    {"SIGN", {"-", "sign", "sign", "sign", "-", "-", "-", "-", "sign", "-"}},
+    {"SIGN", {"-", "sign", "sign", "sign", "-", "sign", "-", "-", "sign", "-"}},
     {"DOWN", {"-", "-", "-", "-", "-", "-", "down", "-", "down", "-"}},
-    {"CLEAR", {"-", "clear", "clear", "clear", "clear", "-", "clear", "clear", "clear", "clear"}},
-    {"ENTER", {"-", "-", "enter", "enter", "enter", "-", "enter", "enter", "enter", "enter"}},
+    {"CLEAR", {"-", "clear", "clear", "clear", "clear", "clear", "clear", "clear", "clear", "clear"}},
+    {"ENTER", {"-", "-", "enter", "enter", "enter", "enter", "enter", "enter", "enter", "enter"}},
     {"MELDUNG MASCHINE_HALT LABOR RESET",  // the lab's own; RESET acts apart from the table
      {"-", "-", "-", "-", "-", "-", "-", "-", "-", "-"}},
 };
@@ -96,7 +95,7 @@ const std::vector<Column> kColumns{
     {"HE", {Place::input_function, Place::input_word, Place::input_rest}},
     {"TI", {Place::teach_program, Place::teach_ready, Place::teach_word}},
     {"AU", {Place::automat_program, Place::automat_block, Place::automat_ready}},
-    {"XD", {Place::external_data}},
+    {"XD", {Place::external_device, Place::external_program, Place::external_transfer}},
     {"GR", {Place::graphics_program, Place::graphics}},
     {"SL", {Place::erase_program, Place::erase_all}},
     {"EM", {Place::editor_program, Place::editor_number, Place::editor_function, Place::editor_word}},
@@ -231,7 +230,7 @@ constexpr Scene kScenes[] = {
     {"TI program", "TEACH_IN", Place::teach_program},
     {"TI ready", "TEACH_IN ENTER", Place::teach_ready},
     {"TI word", "TEACH_IN ENTER ENTER", Place::teach_word},
-    {"XD", "EXTERNE_DATEN", Place::external_data},
+    {"XD", "EXTERNE_DATEN", Place::external_device},
     {"GR program", "GRAFIK", Place::graphics_program},
     {"GR", "GRAFIK ENTER", Place::graphics},
     {"SL", "SPEICHER_LOESCHEN", Place::erase_program},

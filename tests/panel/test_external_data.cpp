@@ -1,0 +1,209 @@
+// EXTERNE DATEN: what leaves comes back, whole or not at all (EXT, D-105 to D-111, DEC-34, DEC-57).
+#include <gmock/gmock.h>
+
+#include "bench.hpp"
+#include "language/tape.hpp"
+
+namespace cnclab::panel {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+constexpr std::string_view kMemory = "P0000T001R+5000L+0P0007N001G05P0001N001G11F1000N002G00X+1000N003G20P0007N001%";
+
+class ExternalData : public testing::Test {
+ protected:
+  ExternalData() : bench({.settings = {.student = "Jörg"}, .tape = std::string(kMemory)}) {
+    bench.control.connect_media(true);
+    bench.control.insert_cassette({}, bench.now);
+    bench.keys("EXTERNE_DATEN");
+  }
+
+  void until(const std::string& text, int most_ms = 200'000) {
+    ASSERT_TRUE(bench.run_until([&] { return bench.picture().find(text) != std::string::npos; }, most_ms))
+        << bench.picture();
+  }
+  void write_cassette(const std::string& keys, int leader_ms = 6000) {
+    bench.keys("2 " + keys);
+    bench.hold(Key::ENTER, leader_ms);
+    until("Ausgabe beendet");
+  }
+  void rewind() {
+    bench.control.press_recorder(Control::RecorderKey::rewind, bench.now);
+    ASSERT_TRUE(bench.run_until([&] { return !bench.control.recorder_runs(); }));
+  }
+  void erase_everything() { bench.keys("MENU SPEICHER_LOESCHEN CLEAR ENTER MENU EXTERNE_DATEN"); }
+  [[nodiscard]] std::string memory() const {
+    std::string text;
+    for (const language::Program& program : bench.control.memory().programs()) text += language::write_program(program);
+    return text;
+  }
+  void set_x_travel(std::int64_t um) {
+    bench.keys("MENU ENTER+RESET ENTER ENTER CLEAR");
+    bench.type(std::to_string(um));
+    bench.keys("ENTER MENU EXTERNE_DATEN");
+  }
+
+  Bench bench;
+};
+
+TEST_F(ExternalData, ACassetteGivesBackAProgram_EXT_010_to_023) {
+  const std::string before = memory();
+  write_cassette("CLEAR 1");
+  bench.keys("MENU EINGABE 1 ENTER 2 ENTER SATZ_LOESCHEN MENU EXTERNE_DATEN");
+  rewind();
+  bench.keys("6 1 ENTER");
+  until("Gelesen und gespeichert: 1 Programme.");
+  EXPECT_EQ(memory(), before);
+}
+
+TEST_F(ExternalData, AWholeMemoryReplacesEverything_EXT_024_DEC_57) {
+  const std::string before = memory();
+  write_cassette("CLEAR");
+  bench.keys("MENU EINGABE 5 ENTER 1 ENTER 0 5 EINGABE MENU EXTERNE_DATEN");
+  rewind();
+  bench.keys("6 CLEAR ENTER");
+  until("Gelesen und gespeichert: 3 Programme.");
+  EXPECT_EQ(memory(), "P0000\nT001R+5000L+0\n" + before.substr(before.find("P0007")));
+}
+
+TEST_F(ExternalData, MachineDataComeBackOnlyWithTheSign_EXT_026_KEY_066) {
+  write_cassette("CLEAR");
+  set_x_travel(400'000);
+  rewind();
+  bench.keys("6 CLEAR ENTER");
+  until("Gelesen");
+  bench.keys("MENU ENTER+RESET ENTER ENTER");
+  EXPECT_THAT(bench.picture(), HasSubstr("400000"));
+  bench.keys("MENU EXTERNE_DATEN");
+  rewind();
+  bench.keys("6 CLEAR ENTER");
+  bench.run_for(500);
+  bench.keys("SIGN");
+  until("Gelesen");
+  bench.keys("MENU ENTER+RESET ENTER ENTER");
+  EXPECT_THAT(bench.picture(), HasSubstr("500000"));
+}
+
+TEST_F(ExternalData, ADashTurnsWhileAProgramIsRead_SCR_048_D_106) {
+  write_cassette("CLEAR 1");
+  rewind();
+  bench.keys("6 1 ENTER");
+  bench.run_for(6900);
+  EXPECT_EQ(bench.monitor(0).size(), 63U);
+  bench.run_for(150);
+  EXPECT_THAT(std::string("|/-\\"), HasSubstr(bench.monitor(0).substr(63)));
+  EXPECT_EQ(bench.monitor(0).size(), 64U);
+}
+
+TEST_F(ExternalData, ADamagedRecordingChangesNothing_D_107) {
+  write_cassette("CLEAR");
+  transfer::Cassette cassette = bench.control.cassette().value();
+  ASSERT_TRUE(cassette.damage(0, 40));
+  cassette.wind_to(0);
+  bench.control.insert_cassette(cassette, bench.now);
+  const std::string before = memory();
+  bench.keys("6 CLEAR ENTER");
+  until("CHECKSUM FEHLER");
+  EXPECT_EQ(memory(), before);
+  EXPECT_EQ(bench.stores(), 0);
+}
+
+TEST_F(ExternalData, StopAbortsAndTakesNothingOver_D_107) {
+  write_cassette("CLEAR 1");
+  rewind();
+  bench.keys("6 1 ENTER");
+  bench.run_for(6000);
+  bench.keys("STOP");
+  EXPECT_FALSE(bench.control.recorder_runs());
+  bench.run_for(10'000);
+  EXPECT_EQ(bench.stores(), 0);
+  EXPECT_THAT(bench.row(18), HasSubstr("abgebrochen"));
+}
+
+TEST_F(ExternalData, AShortLeaderIsExplained_D_105) {
+  bench.keys("2 CLEAR 1 ENTER");  // a terminal's press and release at once
+  until("Vorspann zu kurz");
+}
+
+TEST_F(ExternalData, TheSecondPressEndsTheLeaderOfATerminal) {
+  bench.keys("2 CLEAR 1");
+  (void)bench.control.press(Key::ENTER, bench.now);
+  bench.run_for(6000);
+  (void)bench.control.press(Key::ENTER, bench.now);
+  until("Ausgabe beendet");
+}
+
+TEST_F(ExternalData, DisketteAndTapeAreFilesAtTheStation_EXT_030_EXT_032) {
+  const std::string before = memory();
+  bench.keys("4 CLEAR ENTER 3 CLEAR 1 ENTER");
+  EXPECT_THAT(bench.media.at("SPEICHER.nc"), HasSubstr("MD\nN03=500000\n"));
+  EXPECT_THAT(bench.media.at("P0001.tap"), Not(HasSubstr("MD")));
+  EXPECT_THAT(bench.media.at("P0001.txt"), HasSubstr("P0001\nN001G11F1000\n"));
+  erase_everything();
+  EXPECT_EQ(memory(), "");
+  bench.keys("7 1 ENTER");
+  EXPECT_EQ(memory(), before.substr(before.find("P0001")));
+  bench.keys("8 CLEAR ENTER");
+  EXPECT_EQ(memory().size(), before.size());
+  erase_everything();
+  bench.keys("8 7 ENTER");  // one program out of the whole memory
+  EXPECT_EQ(memory(), "P0007\nN001G05\n");
+}
+
+TEST_F(ExternalData, WhatIsWrongOrTooMuchLeavesTheMemoryAsItWas_DEC_57) {
+  const std::string before = memory();
+  bench.media["P0001.nc"] = "P0001\nN001 G01 X+\n%\n";
+  bench.media["P0002.nc"] = "P0001\nN001G05\n%\n";
+  bench.keys("8 CLEAR 1 ENTER");
+  EXPECT_THAT(bench.row(18), HasSubstr("P0001 N001"));
+  bench.keys("8 2 ENTER");
+  EXPECT_THAT(bench.monitor(15), HasSubstr("Programm fehlt"));
+  bench.keys("8 9 ENTER");
+  EXPECT_THAT(bench.row(18), HasSubstr("Datei P0009.nc fehlt."));
+  std::string large = "P0003";
+  for (int block = 100; block < 999; ++block) large += "N" + std::to_string(block) + "G01X+1Y+1Z+1F1000S1000T01M03";
+  bench.media["P0003.nc"] = large + "%";
+  bench.keys("8 3 ENTER");
+  EXPECT_THAT(bench.monitor(15), HasSubstr("Speicher voll"));
+  EXPECT_EQ(memory(), before);
+  EXPECT_EQ(bench.stores(), 0);
+}
+
+TEST_F(ExternalData, AStoreThatFailsEndsTheTransfer) {
+  bench.media["P0005.nc"] = "P0005N001G05%";
+  bench.fail_next_store("Platte voll");
+  bench.keys("8 5 ENTER");
+  EXPECT_THAT(bench.row(18), HasSubstr("Platte voll"));
+  bench.run_for(20);
+  bench.keys("MENU");
+  EXPECT_EQ(bench.control.mode(), Mode::menu);
+}
+
+TEST_F(ExternalData, ThePrinterGivesTextAndPdf_EXT_003_to_005) {
+  bench.keys("1 CLEAR ENTER");
+  bench.run_for(20);
+  EXPECT_THAT(bench.media.at("DRUCK-SPEICHER.txt"), HasSubstr("Jörg"));
+  EXPECT_THAT(bench.media.at("DRUCK-SPEICHER.txt"), HasSubstr("(11:39:58 02/03/82)"));
+  EXPECT_THAT(bench.media.at("DRUCK-SPEICHER.txt"), HasSubstr("N003 G20 (SPRUNG PROGRAMM) P0007 N001"));
+  EXPECT_EQ(bench.media.at("DRUCK-SPEICHER.pdf").substr(0, 5), "%PDF-");
+  EXPECT_THAT(bench.row(18), HasSubstr("Ausgabe beendet"));
+  bench.keys("1 CLEAR 9 ENTER");
+  EXPECT_THAT(bench.monitor(15), HasSubstr("Programm fehlt"));
+}
+
+TEST(ExternalData3250, HasNeitherPrinterNorPunchedTape_MODEL_004_005) {
+  Bench bench({.settings = {.vocabulary = {.model = language::Model::cnc3250}}});
+  bench.control.connect_media(true);
+  bench.keys("EXTERNE_DATEN");
+  for (const char* key : {"1", "3", "7", "5", "9"}) {
+    bench.keys(key);
+    EXPECT_THAT(bench.row(18), HasSubstr("nicht angeschlossen")) << key;
+  }
+  bench.keys("8");
+  EXPECT_THAT(bench.monitor(8), HasSubstr("PROGRAMM NR"));
+}
+
+}  // namespace
+}  // namespace cnclab::panel

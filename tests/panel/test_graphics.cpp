@@ -1,0 +1,136 @@
+// GRAFIK: the test run is played in portions by somebody else, and seen as it goes (DEC-37, architecture.md rule 7).
+#include <gmock/gmock.h>
+
+#include <deque>
+#include <functional>
+#include <thread>
+
+#include "bench.hpp"
+
+namespace cnclab::panel {
+namespace {
+
+using testing::HasSubstr;
+
+/// A pocket with rapids, then a fault: the rapid of N006 goes through material.
+constexpr std::string_view kPart =
+    "P0000T001R+5000L+0P0001N001G11F1000S1000T01M03N002G00Z+5000N003G00X+20000N004G01Z-10000N005G01X-40000"
+    "N006G00Y+20000N007G00Z+30000%";
+
+TEST(Graphics, PlaysWithoutMovingTheMachine) {
+  Bench bench({.tape = std::string(kPart)});
+  bench.keys("GRAFIK ENTER START");
+  bench.run_for(100);
+  EXPECT_THAT(bench.row(18), HasSubstr("1/1 P0001 N006: Eilgang im Material"));
+  EXPECT_THAT(bench.monitor(15), HasSubstr("P0001 N007 100 %"));
+  EXPECT_THAT(bench.monitor(15), HasSubstr("Weg 125.000 mm"));
+  EXPECT_EQ(bench.istwert(0), 0);
+  EXPECT_FALSE(bench.snapshot().started);
+  EXPECT_EQ(bench.stores(), 0);
+}
+
+TEST(Graphics, SingleBlocksStopBehindEach) {
+  Bench bench({.tape = std::string(kPart)});
+  bench.keys("GRAFIK ENTER EINZELSATZ START");
+  bench.run_for(50);
+  EXPECT_THAT(bench.monitor(15), HasSubstr("P0001 N001"));
+  bench.keys("START START");
+  EXPECT_THAT(bench.monitor(15), HasSubstr("P0001 N003"));
+  bench.keys("EINZELSATZ START");
+  bench.run_for(50);
+  EXPECT_THAT(bench.monitor(15), HasSubstr("P0001 N007 100 %"));
+}
+
+TEST(Graphics, APotentiometerAtZeroStandsStill) {
+  Bench bench({.tape = std::string(kPart)});
+  bench.control.set_override(0);
+  bench.keys("GRAFIK ENTER START");
+  bench.run_for(200);
+  EXPECT_THAT(bench.row(18), HasSubstr("0 %. STOP hält ihn an."));
+  bench.control.set_override(10);
+  bench.run_for(100);
+  EXPECT_THAT(bench.row(18), HasSubstr("Eilgang im Material"));
+}
+
+TEST(Graphics, AnEndlessProgramIsStoppedAndLeftAtAnyTime) {
+  Bench bench({.tape = "P0001N001G11F1000M03N002G01X+10000N003G01X-10000N004G20P0001N002%"});
+  bench.keys("GRAFIK ENTER START");
+  bench.run_for(100);
+  bench.keys("STOP");
+  const std::string stopped = bench.monitor(15);
+  bench.run_for(100);
+  EXPECT_EQ(bench.monitor(15), stopped);
+  EXPECT_THAT(bench.row(18), HasSubstr("START spielt ihn ohne Maschine ab."));
+  bench.keys("START MENU");
+  EXPECT_EQ(bench.control.mode(), Mode::menu);
+}
+
+TEST(Graphics, WhatCannotBeStartedIsSaid) {
+  Bench bench({.tape = std::string(kPart)});
+  bench.keys("GRAFIK 9 ENTER");
+  EXPECT_THAT(bench.monitor(15), HasSubstr("Programm fehlt"));
+  bench.keys("CLEAR ENTER");
+  EXPECT_THAT(bench.monitor(15), HasSubstr("Programm fehlt"));
+  bench.keys("0 ENTER");  // the tool table is no program
+  EXPECT_THAT(bench.monitor(15), HasSubstr("Programm fehlt"));
+}
+
+/// Somebody who takes jobs and does them when the test says so.
+struct Worker {
+  std::deque<std::function<void()>> jobs;
+  LongWork taking() {
+    return [this](std::function<void()> job) { jobs.push_back(std::move(job)); };
+  }
+  void work() {
+    while (!jobs.empty()) {
+      const auto job = std::move(jobs.front());
+      jobs.pop_front();
+      job();
+    }
+  }
+};
+
+TEST(Graphics, TheLabIsNeverHeldUp) {
+  Worker worker;
+  Bench bench({.settings = {.long_work = worker.taking()}, .tape = std::string(kPart)});
+  bench.keys("GRAFIK ENTER START 4 5 MINUS_X");
+  bench.run_for(100);
+  EXPECT_EQ(worker.jobs.size(), 1u) << "one portion at a time";
+  EXPECT_EQ(bench.monitor(15), "");
+  worker.work();
+  bench.run_for(20);
+  worker.work();
+  bench.run_for(20);
+  worker.work();
+  bench.run_for(20);
+  EXPECT_THAT(bench.monitor(15), HasSubstr("P0001 N007 100 %  X-Y-Z"));
+}
+
+TEST(Graphics, LeavingDoesNotWaitForAPortion) {
+  Worker worker;
+  Bench bench({.settings = {.long_work = worker.taking()}, .tape = std::string(kPart)});
+  bench.keys("GRAFIK ENTER START");
+  bench.keys("MENU GRAFIK ENTER START");
+  worker.work();  // the abandoned portion comes to nothing
+  bench.run_for(20);
+  worker.work();
+  bench.run_for(20);
+  EXPECT_THAT(bench.row(18), HasSubstr("Eilgang im Material"));
+}
+
+/// With a real thread, under the thread sanitizer too.
+TEST(Graphics, APortionMayRunInAnotherThread) {
+  std::vector<std::jthread> threads;
+  const LongWork elsewhere = [&](std::function<void()> job) { threads.emplace_back(std::move(job)); };
+  Bench bench({.settings = {.long_work = elsewhere}, .tape = std::string(kPart)});
+  bench.keys("GRAFIK ENTER START 2");
+  EXPECT_TRUE(bench.run_until(
+      [&] {
+        std::this_thread::yield();
+        return bench.row(18).find("Eilgang im Material") != std::string::npos;
+      },
+      10'000'000));
+}
+
+}  // namespace
+}  // namespace cnclab::panel
