@@ -150,6 +150,7 @@ void Control::connect(Connection connection) {
   state.message = {};
   if (had_run) state.message.sentence = text(Text::said_connected, state.tongue());
   impl_->signals_heard = state.machine().signals;
+  state.is_zero_confirmed = false;
   state.applied_data.reset();
   (void)state.apply_data();  // where it does not stand still yet, the next START tries again
   set_override(state.override_percent);

@@ -53,6 +53,7 @@ struct ControlState {
   std::string hint;  ///< why the last key was ignored; row 18 only
   std::optional<StoreRequest> storing;
   int beeps = 0;
+  bool is_zero_confirmed = false;  ///< under the present lease (DEC-27)
   PanelClock clock;
   bool is_ram_faulty = false;     ///< injected: the memory test finds it (ERR-034)
   Now now;                        ///< of the newest call
