@@ -8,6 +8,7 @@
 #include "panel/coming_mode.hpp"
 #include "panel/editor_mode.hpp"
 #include "panel/erase_memory_mode.hpp"
+#include "panel/graphics_mode.hpp"
 #include "panel/hand_input_mode.hpp"
 #include "panel/hand_mode.hpp"
 #include "panel/machine_data_mode.hpp"
@@ -17,7 +18,7 @@
 
 namespace cnclab::panel {
 
-using ActiveMode = std::variant<MenuMode, HandMode, HandInputMode, TeachInMode, AutomatMode, EditorMode,
+using ActiveMode = std::variant<MenuMode, HandMode, HandInputMode, TeachInMode, AutomatMode, EditorMode, GraphicsMode,
                                 EraseMemoryMode, MachineDataMode, MemoryTestMode, ComingMode>;
 
 [[nodiscard]] ActiveMode open_mode(Mode mode, ControlState& state);

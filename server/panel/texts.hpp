@@ -13,7 +13,7 @@
 
 namespace cnclab::panel {
 
-enum class Text : std::uint8_t {
+enum class Text : std::uint16_t {
   // The monitor
   program_number,
   in_preparation,
@@ -23,6 +23,8 @@ enum class Text : std::uint8_t {
   program_erased,
   memory_erased,
   all_programs_hint,
+  graphics_way,
+  graphics_findings,
   datum_refused,
   ram_defective,
   datum_time,
@@ -102,6 +104,11 @@ enum class Text : std::uint8_t {
   help_erase_program,
   help_erase_choose_all,
   help_erase_all,
+  help_view,
+  help_zoom,
+  help_pan,
+  help_next_finding,
+  help_play,
   help_next_datum,
   help_test_memory,
   help_destroy_memory,
@@ -149,6 +156,11 @@ enum class Text : std::uint8_t {
   wait_erase_program,
   wait_erase_all,
   wait_erasing,
+  wait_graphics_program,
+  wait_graphics_ready,
+  wait_graphics_single,
+  wait_graphics_playing,
+  wait_graphics_sound,
   wait_machine_data,
   wait_memory_list,
   wait_memory_confirm,
