@@ -134,7 +134,8 @@ void Lab::poll() {
     return all;
   }();
   for (const DeskPtr& desk : desks) {
-    desk->control.poll(now(*desk));
+    if (const panel::Outcome followed = desk->control.poll(now(*desk)); followed.mode_changed)
+      outcome(desk, followed, 0);
     if (!desk->is_seated() && now_ns >= desk->keep_until_ns) dismiss(desk);
     if (now_ns - desk->last_saved_ns >= 10 * kSecond_ns) save_state(desk);
   }

@@ -33,6 +33,7 @@ panel::Settings settings_for(const Configuration& configuration, const db::Perso
   settings.hints = configuration.hints;
   settings.start_in_middle_rebuilds = configuration.start_in_middle == "rebuilt";
   settings.memory_bytes = configuration.memory_bytes;
+  settings.keys_19inch = configuration.keys_19inch;
   return settings;
 }
 

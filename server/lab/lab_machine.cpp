@@ -94,7 +94,7 @@ void Lab::connect_lab_machine(LoginId login) {
     if (desk->login != login) continue;
     desk->stop_training();
     desk->on_lab_machine = true;
-    desk->control.connect({channel_, authority_.newest(), true, machine_data_});
+    desk->control.connect({channel_, authority_.newest(), true, machine_data_, configuration_.require_reference});
     lab_desk_ = desk;
   }
 }
