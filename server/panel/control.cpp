@@ -147,6 +147,8 @@ void Control::connect(Connection connection) {
   modal.blocks_hidden = modal.subprogram_blocks_hidden = modal.potentiometer_off = modal.test_run = false;
   modal.spindle = power_on.spindle;
   modal.coolant = power_on.coolant;
+  state.compensation_mm = {};
+  state.taught = {};  // positions of another machine mean nothing here
   state.message = {};
   if (had_run) state.message.sentence = text(Text::said_connected, state.tongue());
   impl_->signals_heard = state.machine().signals;

@@ -303,6 +303,13 @@ TEST(HandInput, D_75_CompensationIsCarriedFromBlockToBlock) {
   ASSERT_TRUE(bench.run_to_rest());
   EXPECT_EQ(bench.istwert(0), 40) << "the second way begins where the first has ended, beside it";
   EXPECT_EQ(bench.istwert(1), 5);
+  Bench after({.tape = "P0000T001R+5000L+2000%"});
+  after.control.restore_state(bench.control.save_state());
+  after.run_for(20);
+  after.keys("START");
+  ASSERT_TRUE(after.run_to_rest());
+  EXPECT_EQ(after.istwert(0), 60) << "and goes on after a log-out";
+  EXPECT_EQ(after.istwert(1), 5);
 }
 
 TEST(HandInput, MODEL_007_TheReducedModelHasNeitherG90NorArcs) {
