@@ -133,8 +133,9 @@ void Control::connect(Connection connection) {
   ControlState& state = impl_->state;
   const bool had_run = state.run.is_present();
   const Mode mode = mode_of(impl_->active);
-  const bool falls_back =
-      mode == Mode::hand || mode == Mode::hand_input || mode == Mode::teach_in || mode == Mode::automat;
+  const bool drives = mode == Mode::hand || mode == Mode::hand_input || mode == Mode::teach_in || mode == Mode::automat;
+  const bool serves = mode == Mode::machine_data || mode == Mode::memory_test;
+  const bool falls_back = drives || (serves && connection.is_lab_machine);  // AUTH-003, DEC-39
   Outcome outcome;
   if (falls_back) impl_->change_mode(Mode::menu, outcome);
   state.connection = std::move(connection);
