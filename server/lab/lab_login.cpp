@@ -34,6 +34,7 @@ panel::Settings settings_for(const Configuration& configuration, const db::Perso
   settings.start_in_middle_rebuilds = configuration.start_in_middle == "rebuilt";
   settings.memory_bytes = configuration.memory_bytes;
   settings.keys_19inch = configuration.keys_19inch;
+  settings.remote = configuration.remote;
   return settings;
 }
 

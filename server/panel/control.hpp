@@ -35,6 +35,7 @@ struct Settings {
   bool hints = true;                     ///< row 18 says why a key was ignored
   bool start_in_middle_rebuilds = true;  ///< DEC-26
   int memory_bytes = 16384;
+  bool remote = false;              ///< the rear switch REMOTE lights the menu's field of EXTERNE DATEN (SCR-022)
   bool keys_19inch = false;         ///< the memory test is called by 1+4+7 instead of 3+6+9 (D-17)
   LongWork long_work = do_at_once;  ///< who does what takes longer than a key may
 };

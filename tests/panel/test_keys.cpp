@@ -265,6 +265,15 @@ TEST(Keys, DEC_01_EveryPlaceHasASentenceAndItsKeysBelow) {
   }
 }
 
+TEST(Keys, SCR_022_ERR_043_RemoteLightsTheFieldOfExternalData) {
+  Bench::Setup setup;
+  EXPECT_TRUE(Bench(setup).marks().empty());
+  setup.settings.remote = true;
+  const Bench bench(setup);
+  ASSERT_EQ(bench.marks(), std::vector<std::string>{"9 1 1"}) << bench.picture();
+  EXPECT_TRUE(bench.row(9).starts_with("│□ EXTERNE DATEN"));
+}
+
 TEST(Keys, SwitchedOffHintsLeaveTheSentence) {
   Bench::Setup setup;
   setup.settings.hints = false;
