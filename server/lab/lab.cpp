@@ -136,7 +136,8 @@ void Lab::poll() {
     return all;
   }();
   for (const DeskPtr& desk : desks) {
-    if (auto polled = desk->control.poll(now(*desk)); polled.store) store(desk, std::move(*polled.store), 0);
+    if (panel::Outcome followed = desk->control.poll(now(*desk)); followed.store || followed.mode_changed)
+      outcome(desk, std::move(followed), 0);
     record_run(desk);
     if (!desk->is_seated() && now_ns >= desk->keep_until_ns) dismiss(desk);
     if (now_ns - desk->last_saved_ns >= 10 * kSecond_ns) save_state(desk);

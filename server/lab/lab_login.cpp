@@ -37,6 +37,8 @@ panel::Settings settings_for(const Configuration& configuration, const db::Perso
   settings.rests_accumulate = configuration.rests == "original";
   settings.io_cards = {};
   for (const int card : configuration.io_cards) settings.io_cards.at(static_cast<std::size_t>(card - 1)) = true;
+  settings.keys_19inch = configuration.keys_19inch;
+  settings.remote = configuration.remote;
   return settings;
 }
 

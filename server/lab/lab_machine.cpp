@@ -95,7 +95,7 @@ void Lab::connect_lab_machine(LoginId login) {
     desk->stop_training();
     end_recording(desk, *desk->recorder, machine::StopCause::operator_stop);
     desk->on_lab_machine = true;
-    desk->control.connect({channel_, authority_.newest(), true, machine_data_});
+    desk->control.connect({channel_, authority_.newest(), true, machine_data_, configuration_.require_reference});
     lab_desk_ = desk;
   }
 }

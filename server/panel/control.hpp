@@ -39,8 +39,9 @@ struct Settings {
   bool hints = true;                     ///< row 18 says why a key was ignored
   bool start_in_middle_rebuilds = true;  ///< DEC-26
   int memory_bytes = 16384;
-  std::string student{};                           ///< who stands on printed pages
-  bool keys_19inch = false;                        ///< the memory test is called by 1+4+7 instead of 3+6+9 (D-17)
+  bool remote = false;       ///< the rear switch REMOTE lights the menu's field of EXTERNE DATEN (SCR-022)
+  std::string student{};     ///< who stands on printed pages
+  bool keys_19inch = false;  ///< the memory test is called by 1+4+7 instead of 3+6+9 (D-17)
   std::array<bool, 3> io_cards{true, true, true};  ///< which are fitted (D-124)
   bool rests_accumulate = false;                   ///< rests below one step add up as on the original (DEC-05)
   LongWork long_work = do_at_once;                 ///< who does what takes longer than a key may

@@ -308,6 +308,11 @@ bool Run::shows_blocks() const {
   return current == nullptr || current->block.is_shown;
 }
 
+bool Run::ignores_single_block() const {
+  const Record* current = record(seen_.sequence);
+  return current != nullptr && current->block.depth > 0 && current->block.modal.subprogram_blocks_hidden;
+}
+
 program::ModalState Run::modal() const {
   const Record* done = record(seen_.finished_sequence);
   program::ModalState modal = done == nullptr ? order_->start.modal : done->block.modal;

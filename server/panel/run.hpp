@@ -84,7 +84,8 @@ class Run {
   [[nodiscard]] bool is_present() const { return source_.has_value(); }
   /// The block on top of the window: the one being done, or the next where it waits for START.
   [[nodiscard]] geometry::SourceBlock shown_block() const;
-  [[nodiscard]] bool shows_blocks() const;  ///< false under M21, and in subprograms under M22
+  [[nodiscard]] bool shows_blocks() const;          ///< false under M21, and in subprograms under M22
+  [[nodiscard]] bool ignores_single_block() const;  ///< in subprograms under M22 (KEY-046)
   [[nodiscard]] program::ModalState modal() const;
   [[nodiscard]] const program::ProgramSet& programs() const { return order_->programs; }
   /// What it was begun with; nullptr where none is present. Another run has another one.
