@@ -31,7 +31,7 @@ class ConsoleInTerminal : public testing::Test {
 
 TEST_F(ConsoleInTerminal, INS_001_shows_who_sits_where_as_they_come_and_work) {
   Terminal terminal = console();
-  terminal.wait_for("verbunden");
+  terminal.wait_for("q Ende");  // drawn last
   EXPECT_THAT(terminal.row(row_of(7)), testing::HasSubstr(" 7"));
   StationProcess anna = room_.seat(7, "anna");
   terminal.wait_for("anna");
@@ -69,9 +69,11 @@ TEST_F(ConsoleInTerminal, INS_005_every_command_can_be_typed_and_its_answer_read
   terminal.type(":student add berta\r");
   terminal.wait_for("\"password\"");
   terminal.type("q");
+  terminal.wait_gone("\"password\"");
   terminal.type(":students\r");
-  terminal.wait_for("\"berta\"");
+  terminal.wait_for("\"role\"");
   terminal.type("q");
+  terminal.wait_gone("\"role\"");
   const TemporaryFolder folder;
   const auto copy = folder.path() / "copy.db";
   terminal.type(":backup " + copy.string() + "\r");
