@@ -33,8 +33,8 @@ std::string value_text(const Word& word) {
 std::string value_text(Address address, std::int64_t value) {
   const WordFormat& format = format_of(address);
   if (format.kind == WordFormat::Kind::millimetres) return millimetres_text(value);
-  std::string text;
-  append_digits(text, value, format.digits);
+  std::string text(value < 0 ? "-" : "");  // a parameter may give what no word can hold
+  append_digits(text, value < 0 ? -value : value, format.digits);
   return text;
 }
 

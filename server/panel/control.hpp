@@ -37,6 +37,7 @@ struct Settings {
   bool hints = true;                     ///< row 18 says why a key was ignored
   bool start_in_middle_rebuilds = true;  ///< DEC-26
   int memory_bytes = 16384;
+  bool keys_19inch = false;         ///< the memory test is called by 1+4+7 instead of 3+6+9 (D-17)
   LongWork long_work = do_at_once;  ///< who does what takes longer than a key may
 };
 
@@ -70,12 +71,18 @@ struct RemovePrograms {
 struct PutMachineData {
   machine::MachineData data;
 };
-using StoreRequest = std::variant<PutBlock, InsertBlock, DeleteBlock, RemovePrograms, PutMachineData>;
+/// The whole memory at once: these programs, and the machine data become `data` (MOD-077). The versions stay (STO-005).
+struct EraseMemory {
+  std::vector<std::uint16_t> programs;
+  machine::MachineData data;
+};
+using StoreRequest = std::variant<PutBlock, InsertBlock, DeleteBlock, RemovePrograms, PutMachineData, EraseMemory>;
 
 /// What a key press led to besides a changed screen.
 struct Outcome {
   std::optional<StoreRequest> store;
   bool mode_changed = false;  ///< the lab keeps the control's state (SEAT-004)
+  bool was_reset = false;     ///< RESET, alone or in a chord: a lease ends (DEC-39)
 };
 
 /// What stands on a screen and decides whether a START pressed before it is still meant (AUTH-008).
@@ -119,8 +126,8 @@ class Control {
   /// The answer to the pending request; `error` is the sentence for row 18, empty when it is on disk.
   void store_done(const std::string& error);
 
-  /// To be called every 10 to 20 ms: feeds the run (at most 2 ms of work), follows the machine.
-  void poll(const Now& now);
+  /// To be called every 10 to 20 ms: feeds the run (at most 2 ms of work), follows the machine. Stores nothing.
+  Outcome poll(const Now& now);
 
   [[nodiscard]] Screen draw(const Now& now, const SideView& side) const;
   [[nodiscard]] Situation situation() const;
@@ -131,6 +138,11 @@ class Control {
   /// Short tones since the last call; and whether the repeated tone of M01 sounds.
   [[nodiscard]] int take_beeps();
   [[nodiscard]] bool alarm_tone() const;
+
+  /// A fault of the CMOS RAM for the memory test to find (ERR-034).
+  void set_ram_fault(bool is_faulty);
+  /// The stored machine data had a wrong check code: those of the ROM hold now, and the screen says so (ERR-014).
+  void tell_data_restored();
 
   [[nodiscard]] const Memory& memory() const;
   [[nodiscard]] int override_percent() const;

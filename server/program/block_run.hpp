@@ -21,7 +21,8 @@ struct Flow {
 };
 
 /// The bench on which a function works. It changes `state`, appends to `out` and sets `flow`; the interpreter keeps
-/// all of that only if the whole block succeeds, so a function may return an error at any point.
+/// all of that only if the whole block succeeds, so a function may return an error at any point. Parameters and result
+/// register are not copied for that: who changes them has checked everything before.
 struct BlockRun {
   const language::Block& block;  ///< parameters already replaced by their values
   geometry::SourceBlock source;
@@ -34,6 +35,8 @@ struct BlockRun {
   bool exact_stop = false;        ///< its ways end with an exact stop
   bool input_is_active = false;   ///< Input 1 as it was two blocks before (D-56)
   ExecutionState& state;
+  Parameters& parameters;  ///< #64..#68 are read by `parameter_value`; changed only when nothing can fail any more
+  ResultFlags& result;
   std::vector<geometry::PathItem>& out;
   Flow flow = {};
 
@@ -105,6 +108,14 @@ Outcome jump(BlockRun& run);           // G20
 Outcome jump_on_input(BlockRun& run);  // G21
 Outcome call(BlockRun& run);           // G22
 Outcome call_on_input(BlockRun& run);  // G23
+
+// Parametric functions (execute_parametric.cpp).
+Outcome assign_value(BlockRun& run);    // ↓00
+Outcome calculate(BlockRun& run);       // ↓01..↓04, ↓10..↓17
+Outcome jump_on_result(BlockRun& run);  // ↓50..↓54
+
+// Machining cycles (execute_cycle.cpp).
+Outcome execute_cycle(BlockRun& run);  // G81..G86
 
 // Events (execute_events.cpp).
 Outcome dwell(BlockRun& run);            // G04

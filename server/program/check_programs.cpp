@@ -9,6 +9,7 @@
 
 #include "language/check_block.hpp"
 #include "program/functions.hpp"
+#include "program/reachable.hpp"
 #include "program/words.hpp"
 
 namespace cnclab::program {
@@ -86,18 +87,30 @@ std::vector<language::Error> check_blocks(const ProgramSet& programs, const Sett
 }
 
 std::vector<std::uint16_t> start_programs(const ProgramSet& programs) {
-  std::set<std::uint16_t> led_to;
   std::vector<std::uint16_t> numbers = programs.numbers();
   std::erase(numbers, language::kToolTable);
   std::erase_if(numbers, [&](std::uint16_t number) { return programs.find(number)->blocks.empty(); });
+  std::set<std::uint16_t> led_to;
   for (const std::uint16_t number : numbers)
     for (const language::Block& block : programs.find(number)->blocks)
       if (const auto target = known(block, Address::P); target && names_program(block) && *target != number)
         led_to.insert(*target);
+
   std::vector<std::uint16_t> starts;
-  std::ranges::copy_if(numbers, std::back_inserter(starts),
-                       [&](std::uint16_t number) { return !led_to.contains(number); });
-  if (starts.empty() && !numbers.empty()) starts.push_back(numbers.front());
+  std::set<std::uint16_t> reached;
+  const auto start_at = [&](std::uint16_t number) {
+    starts.push_back(number);
+    walk_reachable(programs, number, programs.find(number)->blocks.front().number,
+                   [&reached](geometry::SourceBlock source, const language::Block&) {
+                     reached.insert(source.program);
+                     return true;
+                   });
+  };
+  for (const std::uint16_t number : numbers)
+    if (!led_to.contains(number)) start_at(number);
+  for (const std::uint16_t number : numbers)
+    if (!reached.contains(number)) start_at(number);
+  std::ranges::sort(starts);
   return starts;
 }
 

@@ -10,7 +10,7 @@
 namespace cnclab::program {
 
 /// Every fault of every program: incomplete blocks, values above the machine data, functions that the control does not
-/// have or this version does not execute, jumps and calls that lead nowhere. In the order of programs and blocks.
+/// have, wrong values of cycles, jumps and calls that lead nowhere. In the order of programs and blocks.
 [[nodiscard]] std::vector<language::Error> check_blocks(const ProgramSet& programs, const Settings& settings);
 
 /// The faults that show only in execution (F missing, wrong plane, circle, nesting, a call of itself), found by
@@ -20,8 +20,8 @@ namespace cnclab::program {
 [[nodiscard]] std::vector<language::Error> dry_run(const ProgramSet& programs, const Settings& settings,
                                                    const Start& start, std::uint64_t most_blocks);
 
-/// The programs at which somebody would press START: those that no other program calls or jumps to; if there are none,
-/// the lowest. P0000 is none.
+/// The programs at which somebody would press START: those that no other program calls or jumps to. Where programs lead
+/// to each other in a ring, so that none of these comes to them, the lowest of the ring. P0000 is none.
 [[nodiscard]] std::vector<std::uint16_t> start_programs(const ProgramSet& programs);
 
 }  // namespace cnclab::program

@@ -1,5 +1,5 @@
-// Which blocks have passed their check. Stored blocks never change during a run, so what a block's own words say needs
-// to be checked once; words by parameter are checked whenever they are read.
+// Which blocks have passed their check. Stored blocks never change during a run, so what is written in them is checked
+// once; the values of parameters are checked whenever they are read.
 #pragma once
 
 #include <cstdint>

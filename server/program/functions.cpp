@@ -53,17 +53,32 @@ constexpr std::array kRows{
     Row{69, search_switches},
     Row{74, cancel_scale},
     Row{75, set_scale},
+    Row{81, execute_cycle},
+    Row{82, execute_cycle},
+    Row{83, execute_cycle},
+    Row{84, execute_cycle},
+    Row{85, execute_cycle},
+    Row{86, execute_cycle},
     Row{90, select_absolute},
     Row{91, select_incremental},
 };
 
-constexpr std::array<Handler, kCodes> by_code() {
+constexpr std::array kParametricRows{
+    Row{0, assign_value},    Row{1, calculate},       Row{2, calculate},       Row{3, calculate},
+    Row{4, calculate},       Row{10, calculate},      Row{11, calculate},      Row{12, calculate},
+    Row{13, calculate},      Row{14, calculate},      Row{15, calculate},      Row{16, calculate},
+    Row{17, calculate},      Row{50, jump_on_result}, Row{51, jump_on_result}, Row{52, jump_on_result},
+    Row{53, jump_on_result}, Row{54, jump_on_result},
+};
+
+constexpr std::array<Handler, kCodes> by_code(std::span<const Row> rows) {
   std::array<Handler, kCodes> table{};
-  for (const Row& row : kRows) table[row.code] = row.handler;
+  for (const Row& row : rows) table[row.code] = row.handler;
   return table;
 }
 
-constexpr std::array<Handler, kCodes> kGFunctions = by_code();
+constexpr std::array<Handler, kCodes> kGFunctions = by_code(kRows);
+constexpr std::array<Handler, kCodes> kParametricFunctions = by_code(kParametricRows);
 
 /// "G41", "↓01".
 std::string name_of(language::Function function) {
@@ -78,6 +93,7 @@ Handler handler_of(language::Function function) {
     case language::Function::Kind::g:
       return function.code < kCodes ? kGFunctions[function.code] : nullptr;
     case language::Function::Kind::parametric:
+      return function.code < kCodes ? kParametricFunctions[function.code] : nullptr;
     case language::Function::Kind::tool:
       return nullptr;
   }
@@ -88,8 +104,7 @@ Outcome executable(const language::Block& block, geometry::SourceBlock source, c
   const bool is_known = language::find_form(block.function, language::Plane::xy, vocabulary) != nullptr;
   if (is_known && handler_of(block.function) != nullptr) return {};
   const char word = block.function.kind == language::Function::Kind::parametric ? '\0' : 'G';
-  const auto code = is_known ? language::ErrorCode::not_in_this_version : language::ErrorCode::function_unknown;
-  return error_at(code, source, word, name_of(block.function));
+  return error_at(language::ErrorCode::function_unknown, source, word, name_of(block.function));
 }
 
 }  // namespace cnclab::program

@@ -17,7 +17,7 @@ namespace {
 std::int64_t to_nm(double mm) { return std::llround(mm * kNanometresPerMm); }
 std::int64_t to_um(std::int64_t nm) { return (nm >= 0 ? nm + 500 : nm - 500) / 1000; }
 
-/// The first block in reach that this version cannot execute (D-02: nothing moves before it is known).
+/// The first block in reach that this control cannot execute (D-02: nothing moves before it is known).
 Outcome check_executable(const ProgramSet& programs, const Settings& settings, const Start& start) {
   Outcome outcome;
   walk_reachable(programs, start.program, start.block, [&](geometry::SourceBlock source, const language::Block& block) {
@@ -81,8 +81,8 @@ Interpreter::Interpreter(ProgramSet programs, Settings settings, const Start& st
     double& path_mm = state_.path.*kPathAxes[axis];
     path_mm -= start.compensation_mm[axis];
     state_.programmed_nm[axis] = to_nm(path_mm);
-    if (to_nm(start.compensation_mm[axis]) != 0) state_.shifted_axes |= axis_bit(axis);
   }
+  begin_compensated(state_, start.compensation_mm);
   const language::Program* program = programs_.find(start.program);
   const std::size_t index = program->find(start.block).value_or(0);
   levels_.push_back({.program = program, .next = index, .called = program, .entry = index, .repeats_left = 0});
@@ -130,6 +130,8 @@ BlockRun Interpreter::bench_for(const language::Block& block, std::vector<geomet
           .levels = levels_,
           .input_is_active = input_answer_.value_or(false),
           .state = state_,
+          .parameters = parameters_,
+          .result = result_,
           .out = out};
 }
 
@@ -143,7 +145,8 @@ std::expected<ExecutedBlock, language::Error> Interpreter::execute_block(std::ve
   const bool is_shown = !state_.modal.blocks_hidden && !run.passes_single_block;
 
   const std::size_t items_before = out.size();
-  if (Outcome outcome = execute_words(run); !outcome) return std::unexpected(outcome.error());
+  if (Outcome outcome = execute_words(run); !outcome)
+    return std::unexpected(naming_parameter(std::move(outcome.error()), level.program->blocks[level.next]));
   ended_ = go_on(run.flow);
   if (ended_) append_end(run);
   if (out.size() == items_before) run.emit(geometry::Mark{});
@@ -156,18 +159,19 @@ std::expected<ExecutedBlock, language::Error> Interpreter::execute_block(std::ve
 
 std::expected<std::optional<language::Block>, language::Error> Interpreter::prepare(const Frame& level) {
   const geometry::Plane plane = state_.modal.plane;
-  if (checked_.has_passed(*level.program, level.next, plane)) return std::nullopt;
   const language::Block& stored = level.program->blocks[level.next];
   const geometry::SourceBlock source{.program = level.program->number, .block = stored.number};
-  if (stored.is_damaged) return error_at(language::ErrorCode::checksum_wrong, source, 0);
-  if (Outcome outcome = executable(stored, source, settings_.vocabulary); !outcome)
-    return std::unexpected(outcome.error());
-  std::optional<language::Block> with_values;
-  if (has_parameters(stored)) with_values = read_parameters(stored, parameters_, state_, programs_);
-  if (with_values && is_dwell_of_nothing(*with_values)) return with_values;  // DEC-53
-  if (Outcome outcome = check_words(with_values ? *with_values : stored, source, plane, settings_); !outcome)
-    return std::unexpected(outcome.error());
-  if (!with_values) checked_.pass(*level.program, level.next, plane);
+  if (!checked_.has_passed(*level.program, level.next, plane)) {
+    if (stored.is_damaged) return error_at(language::ErrorCode::checksum_wrong, source, 0);
+    if (Outcome known = executable(stored, source, settings_.vocabulary); !known) return std::unexpected(known.error());
+    if (Outcome form = check_words(stored, source, plane, settings_); !form) return std::unexpected(form.error());
+    checked_.pass(*level.program, level.next, plane);
+  }
+  if (!has_parameters(stored)) return std::nullopt;
+  const language::Block with_values = read_parameters(stored, parameters_, state_, programs_);
+  if (is_dwell_of_nothing(with_values)) return with_values;  // DEC-53
+  if (Outcome values = check_words(with_values, source, plane, settings_); !values)
+    return std::unexpected(naming_parameter(std::move(values.error()), stored));
   return with_values;
 }
 

@@ -70,9 +70,13 @@ struct ExecutionState {
   Nanometres programmed_nm{};       ///< Sollwert as the operator reads it
   Nanometres offset_nm{};           ///< path coordinate minus Sollwert: what G68 has renamed since START
   std::int64_t fourth_axis_nm = 0;  ///< U, path coordinate (G12; no Istwert of its own, D-62)
-  geometry::Point path;      ///< end of the path so far; an axis that does not move keeps its value to the last bit
-  AxisSet shifted_axes = 0;  ///< axes whose path may lie beside this one: compensation has moved them (D-75)
-  bool is_contour_shifted = false;  ///< by G41, G42, which is left with both axes at once; else axis by axis
+  /// X, Y, Z in µm as the running ROM program would have them without scale factors (DEC-51); set by each cycle,
+  /// without meaning outside.
+  std::array<std::int64_t, 3> unscaled_um{};
+  geometry::Point path;  ///< end of the path so far; an axis that does not move keeps its value to the last bit
+  /// Axes whose path may lie beside this one, because compensation has moved them and they have yet to be led back:
+  /// each with a way of its own (G43, G44, G46), or both of a plane together (G41, G42).
+  AxisSet shifted_axes = 0, contour_axes = 0;
 };
 
 /// One level of calls: level 0 is the main program.
@@ -89,8 +93,8 @@ struct Flow;
 
 class Interpreter {
  public:
-  /// errors  program_missing, block_missing, reserved_for_cycles; not_in_this_version names the first block that can be
-  ///         reached and that this version cannot execute, so that nothing moves before it is known
+  /// errors  program_missing, block_missing, reserved_for_cycles; function_unknown names the first block that can be
+  ///         reached and that this control cannot execute, so that nothing moves before it is known
   [[nodiscard]] static std::expected<Interpreter, language::Error> begin(ProgramSet programs, Settings settings,
                                                                          const Start& start);
 
@@ -140,6 +144,7 @@ class Interpreter {
   Settings settings_;
   std::optional<bool> input_answer_;  ///< for the next block
   Parameters parameters_{};
+  ResultFlags result_;  ///< all cleared at START (D-92)
   ExecutionState state_;
   CheckedBlocks checked_;
   std::vector<Frame> levels_;

@@ -6,6 +6,7 @@
 
 #include "geometry/path_item.hpp"
 #include "language/units.hpp"
+#include "program/fixed_point.hpp"
 
 namespace cnclab::program {
 
@@ -44,6 +45,5 @@ struct ResultFlags {
 
 /// Parameters #00..#69 in 1/1 000 000 mm (DEC-52). #64..#68 are read from the state, not from here.
 using Parameters = std::array<std::int64_t, 70>;
-inline constexpr std::int64_t kParameterUnit = 1'000'000;
 
 }  // namespace cnclab::program

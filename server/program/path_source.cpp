@@ -7,24 +7,44 @@ namespace cnclab::program {
 
 using geometry::StageFault;
 
+namespace {
+
+language::ErrorCode code_of(StageFault::Kind kind) {
+  using language::ErrorCode;
+  switch (kind) {
+    case StageFault::Kind::arc_at_entry_or_exit:
+      return ErrorCode::arc_at_entry_or_exit;
+    case StageFault::Kind::inside_arc_too_small:
+      return ErrorCode::inside_arc_too_small;
+    case StageFault::Kind::no_intersection:
+      return ErrorCode::no_intersection;
+    case StageFault::Kind::runs_backwards:
+      return ErrorCode::runs_backwards;
+    case StageFault::Kind::too_close:
+      return ErrorCode::too_close;
+    case StageFault::Kind::rounding_without_lines:
+      return ErrorCode::rounding_without_lines;
+    case StageFault::Kind::rounding_too_large:
+      return ErrorCode::rounding_too_large;
+  }
+  return ErrorCode::compensation_impossible;
+}
+
+bool is_contour_order(const geometry::PathItem& item) {
+  const auto* order = std::get_if<geometry::RadiusOffset>(&item.what);
+  return order != nullptr && (order->side == geometry::OffsetSide::left || order->side == geometry::OffsetSide::right);
+}
+
+}  // namespace
+
 language::Error error_of(const StageFault& fault) {
-  const auto code = [&] {
-    switch (fault.kind) {
-      case StageFault::Kind::arc_at_entry_or_exit:
-      case StageFault::Kind::inside_arc_too_small:
-      case StageFault::Kind::no_intersection:
-      case StageFault::Kind::runs_backwards:
-      case StageFault::Kind::too_close:
-        return language::ErrorCode::compensation_impossible;
-      case StageFault::Kind::rounding_without_lines:
-      case StageFault::Kind::rounding_too_large:
-        return language::ErrorCode::compensation_impossible;
-    }
-    return language::ErrorCode::compensation_impossible;
-  }();
-  language::Error error{.code = code, .program = fault.block.program, .block = fault.block.block};
-  if (fault.found_mm != 0) error.detail = fmt::format("{:.3f}", fault.found_mm);
-  if (fault.needed_mm != 0) error.expected = fmt::format("{:.3f}", fault.needed_mm);
+  language::Error error{.code = code_of(fault.kind), .program = fault.block.program, .block = fault.block.block};
+  if (fault.kind == StageFault::Kind::too_close) {
+    error.detail = fmt::format("P{:04} N{:03}", fault.other.program, fault.other.block);
+  } else if (fault.found_mm != 0 || fault.needed_mm != 0) {
+    error.detail = fmt::format("{:.3f}", fault.found_mm);
+    error.expected = fmt::format("{:.3f}", fault.needed_mm);
+  }
   return error;
 }
 
@@ -38,31 +58,36 @@ std::expected<PathSource, language::Error> PathSource::begin(ProgramSet programs
 PathSource::PathSource(Interpreter interpreter, const Start& start)
     : interpreter_(std::move(interpreter)), stages_(start.compensation_mm) {}
 
-std::expected<ExecutedBlock, language::Error> PathSource::step(std::vector<geometry::PathItem>& out) {
+std::expected<ExecutedBlock, language::Error> PathSource::step(std::vector<geometry::PathItem>& out,
+                                                               geometry::ContourCheck* check) {
   if (fault_) return std::unexpected(*fault_);
   programmed_.clear();
   auto executed = interpreter_.step(programmed_);
-  if (auto passed = pass_on(out); !passed) return std::unexpected(passed.error());
+  if (auto passed = pass_on(out, check); !passed) return std::unexpected(passed.error());
   if (!executed || executed->ended)
-    if (auto flushed = flush(out); !flushed) return std::unexpected(flushed.error());
+    if (auto flushed = flush(out, check); !flushed) return std::unexpected(flushed.error());
   if (!executed) fault_ = executed.error();
   return executed;
 }
 
-std::expected<void, language::Error> PathSource::pass_on(std::vector<geometry::PathItem>& out) {
+std::expected<void, language::Error> PathSource::pass_on(std::vector<geometry::PathItem>& out,
+                                                         geometry::ContourCheck* check) {
   for (const geometry::PathItem& item : programmed_) {
-    if (auto pushed = stages_.push(item, out); pushed)
-      continue;
-    else
-      fault_ = error_of(pushed.error());
+    if (is_contour_order(item)) ++contours_ordered_;
+    auto pushed = stages_.push(item, out, check);
+    if (pushed) continue;
+    has_contour_fault_ = true;
+    fault_ = error_of(pushed.error());
     return std::unexpected(*fault_);
   }
   return {};
 }
 
-std::expected<void, language::Error> PathSource::flush(std::vector<geometry::PathItem>& out) {
+std::expected<void, language::Error> PathSource::flush(std::vector<geometry::PathItem>& out,
+                                                       geometry::ContourCheck* check) {
   if (fault_) return std::unexpected(*fault_);
-  if (auto flushed = stages_.flush(out); !flushed) {
+  if (auto flushed = stages_.flush(out, check); !flushed) {
+    has_contour_fault_ = true;
     fault_ = error_of(flushed.error());
     return std::unexpected(*fault_);
   }

@@ -1,6 +1,8 @@
 // A set of programs, kept by number.
 #include "program/program_source.hpp"
 
+#include "program/rom_programs.hpp"
+
 namespace cnclab::program {
 
 void ProgramSet::put(language::Program program) {
@@ -9,6 +11,7 @@ void ProgramSet::put(language::Program program) {
 }
 
 const language::Program* ProgramSet::find(std::uint16_t number) const {
+  if (language::is_reserved_for_cycles(number)) return rom_program(number);
   const auto found = programs_.find(number);
   return found == programs_.end() ? nullptr : found->second.get();
 }

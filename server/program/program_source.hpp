@@ -21,9 +21,10 @@ class ProgramSet {
   ProgramSet() = default;
   /// Later programs of the same number replace earlier ones.
   void put(language::Program program);
-  /// The program, or nullptr. The pointer lives as long as this set.
+  /// The program, or nullptr. The pointer lives as long as this set. P9981..P9986 are in every set: those of the ROM,
+  /// never any that were put there (DEC-06).
   [[nodiscard]] const language::Program* find(std::uint16_t number) const;
-  /// The numbers of all programs, ascending; P0000 among them.
+  /// The numbers of all programs that were put, ascending; P0000 among them.
   [[nodiscard]] std::vector<std::uint16_t> numbers() const;
   /// The tool's row in P0000, if any.
   [[nodiscard]] std::optional<ToolData> tool(int number) const;

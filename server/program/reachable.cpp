@@ -3,6 +3,8 @@
 
 #include <map>
 
+#include "program/rom_programs.hpp"
+
 namespace cnclab::program {
 
 namespace {
@@ -30,6 +32,7 @@ bool never_goes_on(const language::Block& block) {
 }
 
 std::optional<Place> target_of(const ProgramSet& programs, const language::Program& own, const language::Block& block) {
+  if (const language::Program* rom = rom_program_of(block.function)) return Place{rom, 0};
   if (!names_other_program(block) && !jumps_within_program(block)) return std::nullopt;
   const language::Word* number = block.find(Address::N);
   const language::Word* other = block.find(Address::P);

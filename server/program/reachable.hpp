@@ -29,7 +29,7 @@ struct Place {
 using BlockVisitor = std::function<bool(geometry::SourceBlock, const language::Block&)>;
 
 /// Visits every block that can be reached from `block` of `program`: stored order, jumps and calls by G20 to G23,
-/// jumps by ↓50 to ↓54. Targets that are missing or given by a parameter are left out.
+/// jumps by ↓50 to ↓54, the ROM programs of G81 to G86. Targets that are missing or given by a parameter are left out.
 void walk_reachable(const ProgramSet& programs, std::uint16_t program, std::uint16_t block, const BlockVisitor& visit);
 
 }  // namespace cnclab::program

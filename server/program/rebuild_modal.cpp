@@ -64,12 +64,21 @@ void take_length_compensation(int code, ModalState& modal, const ProgramSet& pro
   if (code == 46) take_length(modal, programs);
 }
 
+/// What a cycle's ROM program leaves behind (CYC-007, D-82); it is a call, but one whose end is known.
+void take_cycle(int code, ModalState& modal) {
+  if (code >= 81 && code <= 86) modal.dimension = Dimension::incremental;
+  if (code != 81 && code != 82) return;
+  modal.length_compensation = false;
+  modal.tool_length = {};
+}
+
 void take_group(const language::Block& block, ModalState& modal, const ProgramSet& programs) {
   if (block.function.kind != language::Function::Kind::g) return;
   take_plane_or_dimension(block.function.code, modal);
   take_radius_compensation(block.function.code, modal, programs);
   take_length_compensation(block.function.code, modal, programs);
   if (block.function.code == 75) take_scale(block, modal);
+  take_cycle(block.function.code, modal);
   if (block.function.code != 74) return;
   modal.scale_on = false;
   modal.scale = {1000, 1000, 1000};

@@ -9,8 +9,8 @@ namespace cnclab::program {
 
 /// The state that the blocks before `start_block` would leave: read in number order, their G groups, F, S, T and
 /// M20..M24 are taken over `modal`. Jumps, calls, waits, halts, motion and outputs are skipped, spindle and coolant
-/// stay as they are, words that name a parameter are left out (parameters stay untouched). Compensation takes the data
-/// of its tool from P0000 among `programs` (D-74).
+/// stay as they are (of a cycle only G91 and G45 are taken, which it ends with), words that name a parameter are left
+/// out (parameters stay untouched). Compensation takes the data of its tool from P0000 among `programs` (D-74).
 [[nodiscard]] ModalState rebuild_modal(const ProgramSet& programs, const language::Program& program,
                                        std::uint16_t start_block, ModalState modal);
 

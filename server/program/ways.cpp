@@ -20,6 +20,21 @@ constexpr std::array kAxisWords{Address::X, Address::Y, Address::Z};
 /// Sums beyond 100 km leave the exact range of a path coordinate; no machine is that long.
 constexpr std::int64_t kFarthest_nm = 100'000'000'000'000;
 
+/// Takes a word of one axis into the target. In a ROM program an absolute word counts from where the program would be
+/// without scale, so that its way is scaled and not its place: #55..#57 always lead back (DEC-51).
+void take_word(const BlockRun& run, std::size_t axis, std::int64_t word_um, Target& target) {
+  const ModalState& modal = run.state.modal;
+  const bool is_absolute = modal.dimension == Dimension::absolute;
+  if (language::is_reserved_for_cycles(run.source.program)) {
+    const std::int64_t way_um = is_absolute ? word_um - target.unscaled_um[axis] : word_um;
+    target.unscaled_um[axis] += way_um;
+    target.programmed_nm[axis] += way_um * modal.scale[axis];
+    return;
+  }
+  const std::int64_t scaled_nm = word_um * modal.scale[axis];
+  target.programmed_nm[axis] = is_absolute ? scaled_nm : target.programmed_nm[axis] + scaled_nm;
+}
+
 }  // namespace
 
 PlaneIndices indices_of(geometry::Plane plane) {
@@ -44,19 +59,18 @@ std::string in_mm(double value_mm) { return fmt::format("{:.3f}", value_mm); }
 
 std::expected<Target, language::Error> target_of(const BlockRun& run) {
   const ExecutionState& state = run.state;
-  Target target{.programmed_nm = state.programmed_nm, .path = state.path};
+  Target target{.programmed_nm = state.programmed_nm, .unscaled_um = state.unscaled_um, .path = state.path};
   for (std::size_t axis = 0; axis < kAxisWords.size(); ++axis) {
     const language::Word* word = run.block.find(kAxisWords[axis]);
     if (word == nullptr) continue;
     target.named_axes |= axis_bit(axis);
-    const std::int64_t scaled_nm = word->number * state.modal.scale[axis];
+    take_word(run, axis, word->number, target);
     const std::int64_t before_nm = state.programmed_nm[axis];
-    const std::int64_t after_nm = state.modal.dimension == Dimension::absolute ? scaled_nm : before_nm + scaled_nm;
+    const std::int64_t after_nm = target.programmed_nm[axis];
     const std::int64_t path_nm = after_nm + state.offset_nm[axis];
     if (std::max(std::abs(after_nm), std::abs(path_nm)) > kFarthest_nm)
       return error_at(ErrorCode::word_out_of_range, run.source, language::letter(kAxisWords[axis]),
                       in_mm(static_cast<double>(after_nm) / kNanometresPerMm));
-    target.programmed_nm[axis] = after_nm;
     if (after_nm != before_nm) target.path.*kPathAxes[axis] = static_cast<double>(path_nm) / kNanometresPerMm;
   }
   return target;
@@ -72,6 +86,7 @@ Outcome check_feed(const BlockRun& run) {
 void arrive(BlockRun& run, const Target& target) {
   follow_compensation(run.state, target);
   run.state.programmed_nm = target.programmed_nm;
+  run.state.unscaled_um = target.unscaled_um;
   run.state.path = target.path;
 }
 

@@ -30,6 +30,7 @@ struct PlaneIndices {
 /// Where a block leads.
 struct Target {
   Nanometres programmed_nm{};
+  std::array<std::int64_t, 3> unscaled_um{};  ///< as ExecutionState has it
   geometry::Point path;
   AxisSet named_axes = 0;  ///< axes that have a word
 };

@@ -3,7 +3,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "language/check_block.hpp"
 
@@ -13,10 +15,18 @@ namespace {
 
 constexpr int kFirstStateParameter = 64;  // #64 #65 #66: Sollwert of X, Y, Z; #67, #68: radius and length of the tool
 
-/// 1/1 000 000 mm to 1/1000 mm, rounded to nearest, halves away from zero.
-std::int64_t rounded_to_um(std::int64_t value) {
-  constexpr std::int64_t kPerMicrometre = kParameterUnit / 1000;
-  return (value >= 0 ? value + kPerMicrometre / 2 : value - kPerMicrometre / 2) / kPerMicrometre;
+/// #64..#66 may be larger than any word; what no word can hold is out of range in any case.
+std::int32_t narrowed(std::int64_t number) {
+  using Limits = std::numeric_limits<std::int32_t>;
+  return static_cast<std::int32_t>(std::clamp<std::int64_t>(number, Limits::min(), Limits::max()));
+}
+
+/// A ROM program's words are its cycle's, which were checked at the call, and places, which are as far from zero as the
+/// operator has put zero: only the range of a word limits them.
+std::array<double, 3> longest_words_mm(geometry::SourceBlock source, const Settings& settings) {
+  constexpr double kLongest_mm = language::to_mm({language::kLargestWord_um});
+  if (language::is_reserved_for_cycles(source.program)) return {kLongest_mm, kLongest_mm, kLongest_mm};
+  return settings.travel_mm;
 }
 
 /// The plane check is needed only where a form depends on the plane and its words fit another one.
@@ -25,6 +35,11 @@ bool is_of_another_plane(const language::Block& block, language::Plane plane) {
 }
 
 }  // namespace
+
+std::int64_t rounded_to_um(std::int64_t value) {
+  constexpr std::int64_t kPerMicrometre = kParameterUnit / 1000;
+  return (value >= 0 ? value + kPerMicrometre / 2 : value - kPerMicrometre / 2) / kPerMicrometre;
+}
 
 std::int64_t parameter_value(int number, const Parameters& parameters, const ExecutionState& state,
                              const ProgramSet& programs) {
@@ -51,9 +66,16 @@ language::Block read_parameters(language::Block block, const Parameters& paramet
     const bool is_length = language::format_of(word.address).kind == language::WordFormat::Kind::millimetres;
     word = {.address = word.address,
             .is_parameter = false,
-            .number = static_cast<std::int32_t>(is_length ? rounded_to_um(value) : value / kParameterUnit)};
+            .number = narrowed(is_length ? rounded_to_um(value) : value / kParameterUnit)};
   }
   return block;
+}
+
+language::Error naming_parameter(language::Error error, const language::Block& stored) {
+  for (const language::Word& word : stored.words)
+    if (word.is_parameter && language::letter(word.address) == error.word)
+      error.detail = fmt::format("#{:02} = {}", word.number, error.detail);
+  return error;
 }
 
 bool is_dwell_of_nothing(const language::Block& block) {
@@ -73,9 +95,10 @@ Outcome check_words(const language::Block& block, geometry::SourceBlock source, 
 Outcome check_form_and_limits(const language::Block& block, geometry::SourceBlock source, language::Plane plane,
                               const Settings& settings) {
   const auto as_um = [](double mm) { return language::Micrometres{std::llround(mm * 1000)}; };
-  const language::EntryLimits limits{.x = as_um(settings.travel_mm[0]),
-                                     .y = as_um(settings.travel_mm[1]),
-                                     .z = as_um(settings.travel_mm[2]),
+  const std::array<double, 3> longest_mm = longest_words_mm(source, settings);
+  const language::EntryLimits limits{.x = as_um(longest_mm[0]),
+                                     .y = as_um(longest_mm[1]),
+                                     .z = as_um(longest_mm[2]),
                                      .f_max = std::llround(settings.f_max_mm_per_min),
                                      .s_max = std::llround(settings.s_max_rpm)};
   const language::Word* feed = block.find(language::Address::F);

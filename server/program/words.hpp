@@ -5,6 +5,9 @@
 
 namespace cnclab::program {
 
+/// 1/1 000 000 mm to 1/1000 mm, rounded to nearest, halves away from zero (DEC-52).
+[[nodiscard]] std::int64_t rounded_to_um(std::int64_t value);
+
 /// The value of a parameter in 1/1 000 000 mm; #64..#68 come from the state (PAR-035, PAR-036, D-95).
 [[nodiscard]] std::int64_t parameter_value(int number, const Parameters& parameters, const ExecutionState& state,
                                            const ProgramSet& programs);
@@ -15,6 +18,9 @@ namespace cnclab::program {
 /// The block with its parameters read now: mm words rounded to 1/1000, others their whole part (DEC-52, D-94).
 [[nodiscard]] language::Block read_parameters(language::Block block, const Parameters& parameters,
                                               const ExecutionState& state, const ProgramSet& programs);
+
+/// An error about a word that a parameter gave: what was found now names the parameter too, "#04 = 9000.000".
+[[nodiscard]] language::Error naming_parameter(language::Error error, const language::Block& stored);
 
 /// G04, G64 whose H came out as 0: no dwell, and no error either (DEC-53).
 [[nodiscard]] bool is_dwell_of_nothing(const language::Block& block);

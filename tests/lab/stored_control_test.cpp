@@ -39,12 +39,28 @@ TEST(StoredControl, STO_003_TextThatIsNoBlockIsDamageToo) {
   EXPECT_EQ(memory.find(1)->blocks[0].number, 7);
 }
 
-TEST(StoredControl, ERR_014_AMachineDatumWithAWrongCheckCodeHasItsStandardValue) {
+TEST(StoredControl, ERR_014_ADatumWithAWrongCheckCodePutsTheWholeRomSetInPlace) {
   auto wrong = stored_datum(6, 2000);
+  EXPECT_EQ(machine_data_of({stored_datum(7, 1234), wrong}).get(7), 1234);
   wrong.value = 2500;
-  const auto data = machine_data_of({stored_datum(7, 1234), wrong});
-  EXPECT_EQ(data.get(7), 1234);
-  EXPECT_EQ(data.get(6), 3000);
+  EXPECT_TRUE(is_damaged({stored_datum(7, 1234), wrong}));
+  EXPECT_EQ(machine_data_of({stored_datum(7, 1234), wrong}), machine::MachineData{});
+}
+
+TEST(StoredControl, STO_005_OnlyChangedMachineDataAreWritten) {
+  auto database = db::Database::open(":memory:").value();
+  db::Person person;
+  person.name = "eva";
+  person.role = "student";
+  const auto id = database.add_person(person, 1).value();
+  const db::Author author{"eva", 3, 1};
+  database.put_machine_datum(id, {6, 2500, 1}, author);
+  carry_out(database, id, panel::PutMachineData{}, author);
+  EXPECT_FALSE(is_damaged(database.machine_data(id))) << "a wrong check code is renewed";
+  machine::MachineData data;
+  ASSERT_TRUE(data.set(22, 0));
+  carry_out(database, id, panel::PutMachineData{data}, author);
+  EXPECT_EQ(machine_data_of(database.machine_data(id)), data);
 }
 
 TEST(StoredControl, StoresWhatAControlAsksFor) {
@@ -65,6 +81,27 @@ TEST(StoredControl, StoresWhatAControlAsksFor) {
   EXPECT_EQ(language::write_block(program->blocks[0]), "N002G91");
   EXPECT_EQ(language::write_block(program->blocks[1]), "N003G00X+1000");
   EXPECT_FALSE(program->blocks[1].is_damaged) << "EDIT-020: the raised number has its own check code";
+}
+
+TEST(StoredControl, MOD_077_STO_005_ErasingTheWholeMemoryResetsTheMachineDataAndKeepsTheVersions) {
+  auto database = db::Database::open(":memory:").value();
+  db::Person person;
+  person.name = "eva";
+  person.role = "student";
+  const auto id = database.add_person(person, 1).value();
+  const db::Author author{"eva", 3, 1};
+  carry_out(database, id, panel::PutBlock{1, block_of("N001G90")}, author);
+  carry_out(database, id, panel::PutBlock{0, block_of("T001R+5000", 0)}, author);
+  machine::MachineData data;
+  ASSERT_TRUE(data.set(6, 2000));
+  carry_out(database, id, panel::PutMachineData{data}, author);
+  carry_out(database, id, panel::EraseMemory{{0, 1}, {}}, author);
+  const auto stored = read_control(database, id);
+  EXPECT_TRUE(memory_of(stored.programs, 16384).programs().empty());
+  EXPECT_EQ(machine_data_of(stored.machine_data), machine::MachineData{});
+  const auto versions = database.versions(id, 1);
+  ASSERT_EQ(versions.size(), 2U);
+  EXPECT_EQ(database.program_at(id, 1, versions.front().version).value(), std::vector<std::string>{"N001G90"});
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -27,6 +28,7 @@ inline ProgramSet programs_of(std::string_view tape_text) {
 struct RunResult {
   std::vector<geometry::PathItem> items;
   std::vector<ExecutedBlock> blocks;
+  Parameters parameters{};  ///< after the run
   std::optional<language::Error> error;
 
   /// The order in which blocks ran: "P1N1 P1N2 …".
@@ -49,8 +51,11 @@ struct RunResult {
   }
 };
 
+/// Input 1 at the start of the block with this sequence; 0: at START.
+using InputLine = std::function<bool(std::uint64_t sequence)>;
+
 inline RunResult run_programs(const ProgramSet& programs, const Settings& settings, const Start& start,
-                              std::size_t most_blocks = 1000) {
+                              std::size_t most_blocks = 1000, const InputLine& input = {}) {
   RunResult result;
   auto interpreter = Interpreter::begin(programs, settings, start);
   if (!interpreter) {
@@ -58,6 +63,7 @@ inline RunResult run_programs(const ProgramSet& programs, const Settings& settin
     return result;
   }
   while (result.blocks.size() < most_blocks && !interpreter->ended()) {
+    if (const auto asked = interpreter->awaited_input(); asked && input) interpreter->answer_input(input(*asked));
     auto executed = interpreter->step(result.items);
     if (!executed) {
       result.error = executed.error();
@@ -65,6 +71,7 @@ inline RunResult run_programs(const ProgramSet& programs, const Settings& settin
     }
     result.blocks.push_back(*executed);
   }
+  result.parameters = interpreter->parameters();
   return result;
 }
 

@@ -4,7 +4,8 @@
 #include <iomanip>
 #include <sstream>
 
-#include "program/check_programs.hpp"
+#include "program/functions.hpp"
+#include "program/reachable.hpp"
 #include "program/rebuild_modal.hpp"
 #include "run_text.hpp"
 
@@ -12,6 +13,7 @@ namespace cnclab::program {
 namespace {
 
 using language::ErrorCode;
+using testing::ElementsAre;
 using testing::IsEmpty;
 
 struct FlowRow {
@@ -32,6 +34,9 @@ INSTANTIATE_TEST_SUITE_P(
     , Flow,
     testing::Values(
         FlowRow{"EDIT032_gaps", "P0001N001G17N010G18N900G19%", "P1N1 P1N10 P1N900"},
+        FlowRow{"BLK006_BLK007_first_and_last_numbers",
+                "P0001N001G17N999G20P9999N001\nP9999N001G22P9980N999W00N999G17\nP9980N999G18%",
+                "P1N1 P1N999 P9999N1 P9980N999 P9999N999"},
         FlowRow{"G200_jump_within_the_program", "P0001N001G20P0001N003N002G17N003G18%", "P1N1 P1N3"},
         FlowRow{"G200_jump_into_another_program", "P0001N001G20P0002N002\nP0002N001G17N002G18N003G19%",
                 "P1N1 P2N2 P2N3"},
@@ -56,6 +61,19 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(FlowStart, BeginsAtAnyStoredBlock_EX053) {
   const RunResult run = run_text("P0002N003G17N010G18N900G19%", 9, {.program = 2, .block = 10});
   EXPECT_EQ(run.order(), "P2N10 P2N900");
+}
+
+TEST(FlowUpcoming, FollowsJumpsWithoutConditionOnly_DEC63) {
+  const ProgramSet programs = programs_of(
+      "P0001N001\\53N005N002\\50N005N003G21P0001N005N004G20P#01N005N005G17N006G20P0009N001N007G20P0002N001\n"
+      "P0002N001G17%");
+  const language::Program& program = *programs.find(1);
+  std::vector<int> targets;
+  for (const language::Block& block : program.blocks) {
+    const auto target = unconditional_target(programs, program, block);
+    targets.push_back(target ? target->program->blocks[target->index].number + 1000 * target->program->number : 0);
+  }
+  EXPECT_THAT(targets, ElementsAre(1005, 0, 0, 0, 0, 0, 2001)) << "missing and unknown targets are not followed";
 }
 
 TEST(FlowStart, SaysWhatIsMissing) {
@@ -85,17 +103,24 @@ TEST_P(FlowErrors, NameTheBlock) {
 
 INSTANTIATE_TEST_SUITE_P(
     , FlowErrors,
-    testing::Values(ErrorRow{"D58_G20_to_a_missing_program", "P0001N001G20P0002N001%", ErrorCode::program_missing, 1,
-                             1},
-                    ErrorRow{"D58_G22_to_a_missing_block", "P0001N001G17N002G22P0002N009W00\nP0002N001G17%",
-                             ErrorCode::block_missing, 1, 2},
-                    ErrorRow{"DEC64_G22_to_a_cycle", "P0001N001G22P9981N001W00%", ErrorCode::reserved_for_cycles, 1, 1},
-                    ErrorRow{"D58_call_of_itself", "P0001N001G22P0001N001W00%", ErrorCode::calls_itself, 1, 1},
-                    ErrorRow{"D58_two_that_call_each_other",
-                             "P0001N001G22P0002N001W00\nP0002N001G22P0003N001W00\nP0003N001G17N002G22P0002N001W00%",
-                             ErrorCode::calls_itself, 3, 2},
-                    ErrorRow{"G22_of_the_tool_table", "P0000T001R+1L+1\nP0001N001G22P0000N001W00%",
-                             ErrorCode::program_missing, 1, 1}),
+    testing::Values(
+        ErrorRow{"D58_G20_to_a_missing_program", "P0001N001G20P0002N001%", ErrorCode::program_missing, 1, 1},
+        ErrorRow{"D58_G22_to_a_missing_block", "P0001N001G17N002G22P0002N009W00\nP0002N001G17%",
+                 ErrorCode::block_missing, 1, 2},
+        ErrorRow{"DEC64_G22_to_a_cycle", "P0001N001G22P9981N001W00%", ErrorCode::reserved_for_cycles, 1, 1},
+        ErrorRow{"DEC64_G20_to_a_cycle", "P0001N001G17N002G20P9989N001%", ErrorCode::reserved_for_cycles, 1, 2},
+        ErrorRow{"D58_G20_to_a_missing_block", "P0001N001G20P0001N002%", ErrorCode::block_missing, 1, 1},
+        ErrorRow{"D58_G20_to_the_tool_table", "P0000T001R+1L+1\nP0001N001G20P0000N001%", ErrorCode::program_missing, 1,
+                 1},
+        ErrorRow{"D58_after_G20_the_caller_is_still_active",
+                 "P0001N001G22P0002N001W00\nP0002N001G20P0003N001\nP0003N001G22P0002N001W00%", ErrorCode::calls_itself,
+                 3, 1},
+        ErrorRow{"D58_call_of_itself", "P0001N001G22P0001N001W00%", ErrorCode::calls_itself, 1, 1},
+        ErrorRow{"D58_two_that_call_each_other",
+                 "P0001N001G22P0002N001W00\nP0002N001G22P0003N001W00\nP0003N001G17N002G22P0002N001W00%",
+                 ErrorCode::calls_itself, 3, 2},
+        ErrorRow{"G22_of_the_tool_table", "P0000T001R+1L+1\nP0001N001G22P0000N001W00%", ErrorCode::program_missing, 1,
+                 1}),
     [](const auto& row) { return std::string(row.param.name); });
 
 /// P0001 calls P0002 calls … `calls` levels deep.
@@ -188,34 +213,47 @@ TEST(FlowEnd, AnErrorLeavesTheStateBeforeTheBlock) {
   EXPECT_EQ(interpreter->step(items).error(), first.error());
 }
 
-struct UnsupportedRow {
+struct UnknownRow {
   const char* name;
   const char* text;
   const char* detail;
   int block;
 };
 
-class Unsupported : public testing::TestWithParam<UnsupportedRow> {};
+class UnknownFunctions : public testing::TestWithParam<UnknownRow> {};
 
-TEST_P(Unsupported, IsSaidBeforeAnythingMoves) {
-  const RunResult run = run_text(GetParam().text);
-  ASSERT_EQ(run.code(), ErrorCode::not_in_this_version);
+/// Without the functions that the manual marks as planned (BLK-200, DEC-08).
+RunResult run_without_planned(const char* text) {
+  Settings settings = wide_settings();
+  settings.vocabulary.planned_functions = false;
+  return run_text(text, 1000, {}, settings);
+}
+
+TEST_P(UnknownFunctions, AreSaidBeforeAnythingMoves) {
+  const RunResult run = run_without_planned(GetParam().text);
+  ASSERT_EQ(run.code(), ErrorCode::function_unknown);
   EXPECT_EQ(run.error->detail, GetParam().detail);
   EXPECT_EQ(run.error->block, GetParam().block);
   EXPECT_THAT(run.items, IsEmpty());
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    , Unsupported,
-    testing::Values(UnsupportedRow{"in_a_called_program",
-                                   "P0001N001G22P0002N001W00\nP0002N001G17N007G81Z-5000V002H0010%", "G81", 7},
-                    UnsupportedRow{"parametric_function", "P0001N001G00X+1000N002\\00#01+5000%", "↓00", 2},
-                    UnsupportedRow{"cycle", "P0001N001G81Z-5000V002H0010%", "G81", 1}),
+    , UnknownFunctions,
+    testing::Values(UnknownRow{"in_a_called_program", "P0001N001G22P0002N001W00\nP0002N001G17N007G81Z-5000V002H0010%",
+                               "G81", 7},
+                    UnknownRow{"parametric_function", "P0001N001G00X+1000N002\\15#01#02%", "↓15", 2},
+                    UnknownRow{"rounding", "P0001N001G00X+1000N002G10R+1000%", "G10", 2}),
     [](const auto& row) { return std::string(row.param.name); });
 
-TEST(UnsupportedReach, BlocksThatCannotBeReachedDoNotMatter) {
-  EXPECT_FALSE(run_text("P0001N001G20P0001N003N002G81Z-5000V002H0010N003G17%").error);
-  EXPECT_FALSE(run_text("P0001N001G11M02N002G81Z-5000V002H0010%").error);
+TEST(UnknownReach, BlocksThatCannotBeReachedDoNotMatter) {
+  EXPECT_FALSE(run_without_planned("P0001N001G20P0001N003N002G81Z-5000V002H0010N003G17%").error);
+  EXPECT_FALSE(run_without_planned("P0001N001G11M02N002G81Z-5000V002H0010%").error);
+}
+
+TEST(Functions, ThatCanBeKeyedInCanBeExecuted_BLK201) {
+  for (const language::BlockForm& form : language::all_forms())
+    EXPECT_EQ(handler_of(form.function) == nullptr, form.function.kind == language::Function::Kind::tool)
+        << int{form.function.code};
 }
 
 TEST(RebuildModal, TakesGroupsAndWordsBeforeTheStartBlock_DEC26) {
@@ -244,36 +282,6 @@ TEST(RebuildModal, TakesTheScale_DEC26) {
   EXPECT_TRUE(scaled.scale_on);
   EXPECT_EQ(scaled.scale, (std::array<std::int64_t, 3>{-1000, 1000, 1000}));
   EXPECT_EQ(rebuild_modal(programs, *programs.find(1), 4, {}), ModalState{});
-}
-
-TEST(CheckPrograms, FindsEveryFaultOfEveryProgram) {
-  const ProgramSet programs = programs_of(
-      "P0001N001G00N002G20P0007N001N003G22P0002N009W00N004G01X+600000\nP0002N001G11F4000N002G81Z-"
-      "5000V002H0010N003G17%");
-  std::string found;
-  for (const language::Error& error : check_blocks(programs, Settings{}))
-    found += language::place_of(error) + " " + std::to_string(static_cast<int>(error.code)) + "\n";
-  const auto line = [](const char* place, ErrorCode code) {
-    return std::string(place) + " " + std::to_string(static_cast<int>(code)) + "\n";
-  };
-  EXPECT_EQ(found, line("P0001 N001", ErrorCode::word_missing) + line("P0001 N002", ErrorCode::program_missing) +
-                       line("P0001 N003", ErrorCode::block_missing) + line("P0001 N004", ErrorCode::word_out_of_range) +
-                       line("P0002 N001", ErrorCode::feed_above_limit) +
-                       line("P0002 N002", ErrorCode::not_in_this_version));
-}
-
-TEST(CheckPrograms, DryRunFindsWhatOnlyExecutionShows) {
-  const auto dry = [](std::string_view text) { return dry_run(programs_of(text), wide_settings(), {}, 100'000); };
-  EXPECT_EQ(dry("P0001N001G01X+1000%").at(0).code, ErrorCode::feed_missing);
-  EXPECT_THAT(dry("P0001N001G01X+1000F0100N002G20P0001N001%"), IsEmpty()) << "a loop is no fault";
-}
-
-TEST(CheckPrograms, StartProgramsAreThoseThatNobodyCalls) {
-  const ProgramSet programs =
-      programs_of("P0000T001R+1L+1\nP0001N001G22P0002N001W00\nP0002N001G17\nP0003N001G20P0003N001\nP0004N001G17%");
-  EXPECT_EQ(start_programs(programs), (std::vector<std::uint16_t>{1, 3, 4}));
-  EXPECT_EQ(start_programs(programs_of("P0005N001G20P0006N001\nP0006N001G20P0005N001%")),
-            (std::vector<std::uint16_t>{5}));
 }
 
 }  // namespace

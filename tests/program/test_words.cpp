@@ -1,54 +1,13 @@
 // F, S, T, M and the other events: what they are, and in which order the machine gets them.
 #include <gmock/gmock.h>
 
-#include "run_text.hpp"
+#include "item_names.hpp"
 
 namespace cnclab::program {
 namespace {
 
 using language::ErrorCode;
 using testing::ElementsAre;
-
-/// Short names of the items of a run: "spindle cw 500", "line", "mark" …
-std::vector<std::string> names_of(const RunResult& result) {
-  struct Namer {
-    std::string operator()(const geometry::Line& line) const { return line.is_rapid ? "rapid" : "line"; }
-    std::string operator()(const geometry::Arc&) const { return "arc"; }
-    std::string operator()(const geometry::Dwell& dwell) const { return "dwell " + number(dwell.seconds); }
-    std::string operator()(const geometry::Spindle& spindle) const {
-      if (spindle.turn == geometry::SpindleTurn::off) return "spindle off";
-      return (spindle.turn == geometry::SpindleTurn::clockwise ? "spindle cw " : "spindle ccw ") + number(spindle.rpm);
-    }
-    std::string operator()(const geometry::Coolant& coolant) const { return coolant.on ? "coolant on" : "coolant off"; }
-    std::string operator()(const geometry::ToolChange& tool) const {
-      return "tool " + number(tool.number) + " R" + number(tool.radius_mm) + " L" + number(tool.length_mm);
-    }
-    std::string operator()(const geometry::Output& output) const {
-      return "output " + number(output.card) + "." + number(output.line) + (output.on ? " on" : " off");
-    }
-    std::string operator()(const geometry::Wait& wait) const {
-      return "wait " + number(wait.card) + "." + number(wait.line);
-    }
-    std::string operator()(const geometry::SetActual&) const { return "set"; }
-    std::string operator()(const geometry::Reference&) const { return "reference"; }
-    std::string operator()(const geometry::Halt& halt) const { return halt.signal ? "halt signal" : "halt"; }
-    std::string operator()(const geometry::Signal&) const { return "signal"; }
-    std::string operator()(const geometry::SpindleDigits& digits) const { return "digits " + number(digits.rpm); }
-    std::string operator()(const geometry::End&) const { return "end"; }
-    std::string operator()(const geometry::Mark&) const { return "mark"; }
-    std::string operator()(const geometry::RadiusOffset& offset) const { return "offset R" + number(offset.radius_mm); }
-    std::string operator()(const geometry::LengthOffset& offset) const { return "offset L" + number(offset.length_mm); }
-    std::string operator()(const geometry::CornerRounding& corner) const { return "round " + number(corner.radius_mm); }
-    static std::string number(double value) {
-      std::string text;
-      geometry::append_number(text, value);
-      return text;
-    }
-  };
-  std::vector<std::string> names;
-  for (const geometry::PathItem& item : result.items) names.push_back(std::visit(Namer{}, item.what));
-  return names;
-}
 
 struct OrderRow {
   const char* name;
@@ -141,6 +100,19 @@ TEST(Words, ModalStateKeepsWhatWasSet_FST013) {
   EXPECT_EQ(modal.plane, geometry::Plane::xz);
 }
 
+TEST(Words, PowerOnState_FST014_G170_G910) {
+  const ModalState& modal = run_text("P0001N001G04H0001%").blocks.back().modal;
+  EXPECT_EQ(modal.plane, geometry::Plane::xy);
+  EXPECT_EQ(modal.radius, RadiusCompensation::off);
+  EXPECT_FALSE(modal.length_compensation);
+  EXPECT_FALSE(modal.scale_on);
+  EXPECT_EQ(modal.dimension, Dimension::incremental);
+  EXPECT_EQ(modal.feed_mm_per_min, 0);
+  EXPECT_EQ(modal.spindle_rpm, 0);
+  EXPECT_EQ(modal.tool, 0);
+  EXPECT_EQ(modal.m, 12);
+}
+
 TEST(Words, G001_G00_leaves_F_alone) {
   const RunResult run = run_text("P0001N001G11F0700N002G00X+1000%");
   EXPECT_EQ(run.blocks.back().modal.feed_mm_per_min, 700);
@@ -164,6 +136,49 @@ TEST(Words, ParametersAreReadWhenTheBlockRuns_EX060) {
   EXPECT_EQ(lines.at(1).to.x, 50) << "#64 is the Sollwert of X";
 }
 
+/// PAR-003, D-94: every word but M and T may be a parameter; those that count nothing but wholes take the whole part.
+TEST(Words, ByParameterInEveryAddress_PAR003) {
+  struct Row {
+    const char* name;
+    const char* text;  ///< #01 = -3.7, #02 = 2.9, #03 = 12.5, #04 = 1
+    const char* same;  ///< the same with numbers
+  };
+  const Row rows[] = {
+      {"X Y Z F S", "N001G01X#01Y#02Z#03F#03S#03", "N001G01X-3700Y+2900Z+12500F0012S0012"},
+      {"I J under G02", "N001G11F0500N002G02X+0Y+0I#01J#02", "N001G11F0500N002G02X+0Y+0I-3700J+2900"},
+      {"K under G18", "N001G11F0500N002G18N003G03X+0Z+0I#01K#03", "N001G11F0500N002G18N003G03X+0Z+0I-3700K+12500"},
+      {"R", "N001G06X+1000Y+1000R#03F0100", "N001G06X+1000Y+1000R+12500F0100"},
+      {"R of a corner", "N001G10R#02", "N001G10R+2900"},
+      {"U", "N001G11F0100N002G12U#01", "N001G11F0100N002G12U-3700"},
+      {"H", "N001G04H#03", "N001G04H0012"},
+      {"P and N of a jump", "N001G20P#02N#03", "N001G20P0002N012"},
+      {"P, N and W of a call", "N001G22P#02N#03W#04N002G17", "N001G22P0002N012W01N002G17"},
+      {"values of G68", "N001G68X#01Z#02", "N001G68X-3700Z+2900"},
+      {"values of G69", "N001G69X#01Z#02", "N001G69X-3700Z+2900"},
+  };
+  Start start;
+  start.parameters[1] = -3'700'000;
+  start.parameters[2] = 2'900'000;
+  start.parameters[3] = 12'500'000;
+  start.parameters[4] = kParameterUnit;
+  constexpr auto kCalled = "\nP0002N012G01X+1F0700%";
+  for (const Row& row : rows) {
+    const RunResult by_parameter = run_text(std::string("P0001") + row.text + kCalled, 20, start);
+    const RunResult by_number = run_text(std::string("P0001") + row.same + kCalled, 20);
+    EXPECT_FALSE(by_number.error) << row.name;
+    EXPECT_EQ(by_parameter.error, by_number.error) << row.name;
+    EXPECT_EQ(by_parameter.order(), by_number.order()) << row.name;
+    EXPECT_EQ(names_of(by_parameter), names_of(by_number)) << row.name;
+    EXPECT_EQ(by_parameter.json(), by_number.json()) << row.name;
+    EXPECT_EQ(by_parameter.blocks.back().modal, by_number.blocks.back().modal) << row.name;
+  }
+}
+
+TEST(Words, ByParameterAreReadEachTimeTheBlockRuns_PAR004) {
+  const RunResult run = run_text("P0001N001G00X+1000N002G00X#64N003G20P0001N002%", 7);
+  EXPECT_EQ(run.blocks.back().programmed_um[0], 8000) << "1, doubled three times";
+}
+
 TEST(Words, ParametersAreRoundedToMicrometres_DEC52) {
   Start start;
   start.parameters[1] = 1'000'500;   // 1.0005 mm
@@ -184,10 +199,16 @@ TEST(Words, ParametersAreCheckedAtExecution_DEC13) {
   EXPECT_EQ(run_text("P0001N001G00X#01%", 9, start, settings).code(), ErrorCode::word_out_of_range);
   start.parameters[1] = 3001 * kParameterUnit;
   EXPECT_EQ(run_text("P0001N001G11F#01%", 9, start, settings).code(), ErrorCode::feed_above_limit);
+  EXPECT_EQ(run_text("P0001N001G11S#01%", 9, start, settings).code(), ErrorCode::word_out_of_range);
+  EXPECT_EQ(run_text("P0001N001G20P0001N#01%", 9, start, settings).code(), ErrorCode::word_out_of_range);
+  EXPECT_EQ(run_text("P0001N001G22P0001N001W#01%", 9, start, settings).code(), ErrorCode::word_out_of_range);
+  start.parameters[1] = -kParameterUnit;
+  EXPECT_EQ(run_text("P0001N001G20P#01N001%", 9, start, settings).code(), ErrorCode::word_out_of_range);
+  EXPECT_EQ(run_text("P0001N001G04H#01%", 9, start, settings).code(), ErrorCode::word_out_of_range);
 }
 
 TEST(Words, DwellByAParameterOfZeroIsNone_DEC53) {
-  const RunResult run = run_text("P0001N001G04H#05N002G17%");
+  const RunResult run = run_text("P0001N001G04H#05N002G64H#05N003G17%");
   EXPECT_FALSE(run.error);
   EXPECT_TRUE(all_of<geometry::Dwell>(run).empty());
 }

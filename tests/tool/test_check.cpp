@@ -28,7 +28,7 @@ TEST_F(CheckTest, NamesEveryErrorWithFileLineAndBlock) {
                                  "N004G11F4000\n"
                                  "N005G22P0002N007W00\n"
                                  "P0002\n"
-                                 "N001G41\n"
+                                 "N001G10\n"
                                  "%\n");
   const Said said = tool("check " + file);
   EXPECT_EQ(said.exit_code, 1);

@@ -130,13 +130,6 @@ TEST_F(RunTest, AnErrorStopsBehindTheLastGoodBlock) {
   EXPECT_EQ(summary["position"]["x"], 5);
 }
 
-TEST_F(RunTest, UnsupportedFunctionsMoveNothing) {
-  const Said said = tool("run -", "P0001\nN001G00X+5000\nN002G41\n%");
-  EXPECT_EQ(said.exit_code, 1);
-  EXPECT_EQ(said.out, "");
-  EXPECT_THAT(said.err, StartsWith("-:3: P0001 N002: "));
-}
-
 TEST_F(RunTest, TraceHasARowPerTickOnThePath_EX014) {
   const std::string trace = at("trace.csv");
   const Said said = tool("run - --trace " + trace, "P0001N001G02X+10000Y+0I+5000J+0F1000%");

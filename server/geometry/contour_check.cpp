@@ -1,0 +1,125 @@
+// Every way against every wall that its box comes near.
+//
+//        wall (an element of the contour)        way (of the tool's centre)
+//      ═════════════════════════════          ─────────────────────────────▶
+//                 ▲ found                 found >= R - 1 µm, or the way is reported
+//      ───────────▼─────────────────▶
+#include "geometry/contour_check.hpp"
+
+#include <algorithm>
+#include <type_traits>
+
+#include "geometry/offset_element.hpp"
+
+namespace cnclab::geometry {
+
+namespace {
+
+/// Rounding, and the steps in which spirals are taken, stay below this; so does any machine's smallest step.
+constexpr double kTolerance_mm = 0.001;
+/// So many elements at either end may be run-in or run-out: a line and an arc.
+constexpr std::size_t kLongestRunIn = 2;
+
+}  // namespace
+
+void ContourCheck::begin(Plane plane, double radius_mm) {
+  plane_ = plane;
+  radius_mm_ = radius_mm;
+  is_open_ = true;
+  elements_ = 0;
+  joints_.clear();
+  contour_.clear();
+  ways_.clear();
+  first_of_chain_ = findings_.size();
+}
+
+void ContourCheck::append(SourceBlock source, const PathElement& element, std::uint32_t number,
+                          std::vector<Placed>& pieces) {
+  pieces_.clear();
+  append_pieces(element, axes_of(plane_), pieces_);
+  for (const PlanePiece& piece : pieces_) pieces.push_back({.piece = piece, .element = number, .source = source});
+}
+
+void ContourCheck::add_contour(SourceBlock source, const PathElement& element) {
+  ++elements_;
+  append(source, element, elements_, contour_);
+  const PlaneAxes& axes = axes_of(plane_);
+  const auto ends = [&](const auto& way) {
+    if (joints_.empty()) joints_.push_back(in_plane(way.from, axes));
+    joints_.push_back(in_plane(way.to, axes));
+  };
+  std::visit(ends, element);
+}
+
+void ContourCheck::add_path(SourceBlock source, const PathElement& way) { append(source, way, elements_, ways_); }
+
+void ContourCheck::add_corner(SourceBlock source, const Arc& corner) { append(source, corner, 0, ways_); }
+
+void ContourCheck::end() {
+  if (!is_open_) return;
+  is_open_ = false;
+  keep_closed_part();
+  plant_tree();
+  const double reach = radius_mm_ - kTolerance_mm;
+  for (const Placed& way : ways_) {
+    const PieceBox box = box_of(way.piece);
+    tree_.visit_near(box, reach, [&](std::size_t first, std::size_t last) {
+      for (std::size_t wall = first; wall < last; ++wall)
+        if (is_near(boxes_[wall], box, reach)) compare(way, contour_[wall]);
+    });
+  }
+}
+
+/// Drops run-in and run-out from the walls: the largest part that closes is the contour.
+void ContourCheck::keep_closed_part() {
+  const std::size_t count = elements_;
+  for (std::size_t dropped = 0; dropped <= 2 * kLongestRunIn; ++dropped) {
+    for (std::size_t ahead = 0; ahead <= std::min(dropped, kLongestRunIn); ++ahead) {
+      const std::size_t behind = dropped - ahead;
+      if (behind > kLongestRunIn || dropped >= count) continue;
+      if (size(joints_[ahead] - joints_[count - behind]) > kSamePoint_mm) continue;
+      std::erase_if(contour_,
+                    [&](const Placed& wall) { return wall.element <= ahead || wall.element > count - behind; });
+      return;
+    }
+  }
+}
+
+/// Sorts the walls so that neighbours in space are neighbours in the tree.
+void ContourCheck::plant_tree() {
+  boxes_.clear();
+  for (const Placed& wall : contour_) boxes_.push_back(box_of(wall.piece));
+  const std::vector<std::uint32_t> order = order_in_space(boxes_);
+  const auto sort = [&](auto& values) {
+    std::remove_reference_t<decltype(values)> sorted;
+    sorted.reserve(values.size());
+    for (const std::uint32_t index : order) sorted.push_back(values[index]);
+    values.swap(sorted);
+  };
+  sort(contour_);
+  sort(boxes_);
+  tree_.plant(boxes_);
+}
+
+void ContourCheck::compare(const Placed& way, const Placed& wall) {
+  // Beside its own element a way keeps the tool's radius by construction; a corner need not (an arc that returns).
+  if (way.element == wall.element) return;
+  const double found = distance_between(way.piece, wall.piece);
+  if (found < radius_mm_ - kTolerance_mm) note(way.source, wall.source, found);
+}
+
+void ContourCheck::note(SourceBlock way, SourceBlock wall, double found_mm) {
+  const auto first = findings_.begin() + static_cast<std::ptrdiff_t>(first_of_chain_);
+  const auto known = std::find_if(first, findings_.end(),
+                                  [&](const StageFault& fault) { return fault.block == way && fault.other == wall; });
+  if (known != findings_.end())
+    known->found_mm = std::min(known->found_mm, found_mm);
+  else if (findings_.size() - first_of_chain_ < kMostFindings)
+    findings_.push_back({.kind = StageFault::Kind::too_close,
+                         .block = way,
+                         .other = wall,
+                         .found_mm = found_mm,
+                         .needed_mm = radius_mm_});
+}
+
+}  // namespace cnclab::geometry

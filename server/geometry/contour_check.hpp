@@ -1,0 +1,70 @@
+// Does the way of the tool's centre cut into another part of its own contour?
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "geometry/path_stages.hpp"
+#include "geometry/plane_piece.hpp"
+
+namespace cnclab::geometry {
+
+/// The gouge check of whole chains, from the entry to the exit of one G41 or G42.
+///
+/// `PathStages` tells it what it does, the owner reads the findings. Joints are right by construction (see
+/// `ContourOffset`); what only the whole chain shows is a way that returns beside an earlier wall, or a pocket that is
+/// too narrow between elements that are not neighbours.
+///
+/// A finding is a way that comes closer to a contour element than the tool's radius less a micrometre. No finding are:
+///   - entry and exit, and elements whose ranges along the normal do not overlap (passes at another depth);
+///   - run-in and run-out: if one of the first three elements begins where one of the last three ends, the contour is
+///     what lies between; what comes before and behind is air to the ways (EX-080: N010 runs on past the corner where
+///     N006 began).
+///
+/// Memory: that of one chain, about 400 bytes per element. Time: n·log n for chains that stay near themselves.
+class ContourCheck {
+ public:
+  /// Findings kept per chain; one for each pair of blocks, with the smallest distance.
+  static constexpr std::size_t kMostFindings = 20;
+
+  /// A chain begins. An open one is dropped.
+  void begin(Plane plane, double radius_mm);
+  /// The next element of the programmed contour (corners already rounded), followed by the ways that machine it.
+  void add_contour(SourceBlock source, const PathElement& element);
+  void add_path(SourceBlock source, const PathElement& way);
+  /// The arc about the corner ahead of the newest element.
+  void add_corner(SourceBlock source, const Arc& corner);
+  /// The chain is complete: works out its findings. Without a chain: nothing.
+  void end();
+
+  /// too_close of all chains so far: `block` comes closer to `other` than the tool's radius.
+  [[nodiscard]] const std::vector<StageFault>& findings() const { return findings_; }
+
+ private:
+  /// A piece of contour element number `element`, from 1, or of the way beside it; 0 is a corner.
+  struct Placed {
+    PlanePiece piece;
+    std::uint32_t element = 0;
+    SourceBlock source;
+  };
+
+  void append(SourceBlock source, const PathElement& element, std::uint32_t number, std::vector<Placed>& pieces);
+  void keep_closed_part();
+  void plant_tree();
+  void compare(const Placed& way, const Placed& wall);
+  void note(SourceBlock way, SourceBlock wall, double found_mm);
+
+  Plane plane_ = Plane::xy;
+  double radius_mm_ = 0;
+  bool is_open_ = false;
+  std::uint32_t elements_ = 0;       ///< of the contour so far
+  std::vector<PlaneVector> joints_;  ///< where each element begins, and where the newest ends
+  std::vector<Placed> contour_, ways_;
+  std::vector<PlanePiece> pieces_;  ///< of the newest element
+  std::vector<PieceBox> boxes_;     ///< of contour_, once it is complete
+  PieceTree tree_;                  ///< over boxes_
+  std::size_t first_of_chain_ = 0;  ///< in findings_
+  std::vector<StageFault> findings_;
+};
+
+}  // namespace cnclab::geometry
