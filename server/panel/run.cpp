@@ -63,13 +63,8 @@ std::expected<void, language::Error> Run::begin(const Connection& connection, Ru
   if (!source) return std::unexpected(source.error());
   *this = Run{};
   connection_ = connection;
-<<<<<<< HEAD
-  order_ = std::make_shared<const RunOrder>(order);
-  programs_ = std::move(order.programs);
-  first_modal_ = order.start.modal;
-=======
+  kept_order_ = std::make_shared<const RunOrder>(order);
   order_ = std::move(order);
->>>>>>> main
   source_ = std::move(*source);
   first_parameters_ = parameters_ = std::make_shared<const program::Parameters>(order_.start.parameters);
   look();

@@ -84,13 +84,10 @@ class Run {
   [[nodiscard]] geometry::SourceBlock shown_block() const;
   [[nodiscard]] bool shows_blocks() const;  ///< false under M21, and in subprograms under M22
   [[nodiscard]] program::ModalState modal() const;
-<<<<<<< HEAD
-  [[nodiscard]] const program::ProgramSet& programs() const { return programs_; }
-  /// What it was begun with; nullptr where none is present. Another run has another one.
-  [[nodiscard]] const std::shared_ptr<const RunOrder>& order() const { return order_; }
-=======
   [[nodiscard]] const program::ProgramSet& programs() const { return order_.programs; }
->>>>>>> main
+  /// What it was begun with, also after this object has gone on; nullptr where none is present. Another run has another
+  /// one.
+  [[nodiscard]] const std::shared_ptr<const RunOrder>& order() const { return kept_order_; }
   [[nodiscard]] bool sounds_alarm() const;  ///< M01 waits for START
 
  private:
@@ -128,16 +125,11 @@ class Run {
   std::uint64_t answer_tick_ = 0;     ///< from this tick on the snapshot knows of the last command
   std::uint64_t refused_before_ = 0;  ///< commands that had not been taken when START was pressed
 
-<<<<<<< HEAD
-  std::shared_ptr<const RunOrder> order_;
-  program::ProgramSet programs_;
-  program::ModalState first_modal_;
-=======
   RunOrder order_;
   std::optional<Preflight> preflight_;  ///< while contours are being checked; nothing has been started then
   std::size_t sound_contours_ = 0;      ///< so many contours, in their order, were found right
   bool is_stopped_in_check_ = false;
->>>>>>> main
+  std::shared_ptr<const RunOrder> kept_order_;  ///< a copy of it for whoever records the run
   std::optional<program::PathSource> source_;
   std::optional<TravelGuard> guard_;
   std::vector<geometry::PathItem> items_;  ///< the newest finished ones, from `next_item_` still to be appended
