@@ -10,7 +10,7 @@
 namespace cnclab::program {
 
 /// Every fault of every program: incomplete blocks, values above the machine data, functions that the control does not
-/// have or this version does not execute, jumps and calls that lead nowhere. In the order of programs and blocks.
+/// have, wrong values of cycles, jumps and calls that lead nowhere. In the order of programs and blocks.
 [[nodiscard]] std::vector<language::Error> check_blocks(const ProgramSet& programs, const Settings& settings);
 
 /// The faults that show only in execution (F missing, wrong plane, circle, nesting, a call of itself), found by

@@ -104,8 +104,7 @@ Outcome executable(const language::Block& block, geometry::SourceBlock source, c
   const bool is_known = language::find_form(block.function, language::Plane::xy, vocabulary) != nullptr;
   if (is_known && handler_of(block.function) != nullptr) return {};
   const char word = block.function.kind == language::Function::Kind::parametric ? '\0' : 'G';
-  const auto code = is_known ? language::ErrorCode::not_in_this_version : language::ErrorCode::function_unknown;
-  return error_at(code, source, word, name_of(block.function));
+  return error_at(language::ErrorCode::function_unknown, source, word, name_of(block.function));
 }
 
 }  // namespace cnclab::program

@@ -1,15 +1,14 @@
-// Which functions this version executes: one table from function code to handler.
+// What each function does: one table from function code to handler.
 #pragma once
 
 #include "program/block_run.hpp"
 
 namespace cnclab::program {
 
-/// The handler of a function, or nullptr where this version has none.
+/// The handler of a function; nullptr for codes that are none, and for rows of the tool table.
 [[nodiscard]] Handler handler_of(language::Function function);
 
-/// The error for a block that this version cannot execute: function_unknown where the control has no such function,
-/// else not_in_this_version; nothing where it can.
+/// function_unknown for a block whose function the control at hand does not have; nothing where it can be executed.
 [[nodiscard]] Outcome executable(const language::Block& block, geometry::SourceBlock source,
                                  const language::Vocabulary& vocabulary);
 

@@ -17,7 +17,7 @@ namespace {
 std::int64_t to_nm(double mm) { return std::llround(mm * kNanometresPerMm); }
 std::int64_t to_um(std::int64_t nm) { return (nm >= 0 ? nm + 500 : nm - 500) / 1000; }
 
-/// The first block in reach that this version cannot execute (D-02: nothing moves before it is known).
+/// The first block in reach that this control cannot execute (D-02: nothing moves before it is known).
 Outcome check_executable(const ProgramSet& programs, const Settings& settings, const Start& start) {
   Outcome outcome;
   walk_reachable(programs, start.program, start.block, [&](geometry::SourceBlock source, const language::Block& block) {

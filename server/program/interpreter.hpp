@@ -93,8 +93,8 @@ struct Flow;
 
 class Interpreter {
  public:
-  /// errors  program_missing, block_missing, reserved_for_cycles; not_in_this_version names the first block that can be
-  ///         reached and that this version cannot execute, so that nothing moves before it is known
+  /// errors  program_missing, block_missing, reserved_for_cycles; function_unknown names the first block that can be
+  ///         reached and that this control cannot execute, so that nothing moves before it is known
   [[nodiscard]] static std::expected<Interpreter, language::Error> begin(ProgramSet programs, Settings settings,
                                                                          const Start& start);
 

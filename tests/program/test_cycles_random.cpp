@@ -40,7 +40,8 @@ CycleWords any_words(std::int64_t most) {
 
 /// Any place, between thousandths too; G90 or G91; factors 1, or scaled and mirrored.
 Start any_start() {
-  const auto place = [] { return static_cast<double>(between(-300'000'000, 300'000'000)) / 1e6; };
+  const std::int64_t grid_nm = between(0, 1) == 0 ? 1'000 : 1;
+  const auto place = [&] { return static_cast<double>(between(-300'000'000, 300'000'000) / grid_nm * grid_nm) / 1e6; };
   Start start = between(0, 1) == 0 ? start_at(place(), place(), place()) : start_at(0, 0, 0);
   if (between(0, 1) == 0) start.modal.dimension = Dimension::absolute;
   if (between(0, 1) == 0) {
@@ -124,11 +125,16 @@ RC_GTEST_PROP(RandomCycles, MillSlotsAsListed_CYC084, ()) {
   }
 }
 
-/// Radii up to 100 mm, where ROM-07 promises a thousandth.
+bool lies_on_thousandths(const geometry::Point& place) {
+  return std::llround(place.x * 1e6) % 1000 == 0 && std::llround(place.y * 1e6) % 1000 == 0;
+}
+
+/// Radii up to 100 mm, where ROM-07 promises a thousandth. Half of one is the word's rounding, 0.15 µm are sine, cosine
+/// and the sum of angles; where the place of the call lies between thousandths, its rounding is another half.
 RC_GTEST_PROP(RandomCycles, DrillHoleCirclesAsListed_DEC03_ROM07, ()) {
   for (int i = 0; i < 4; ++i) {
     CycleWords words = any_words(4);
-    words.r_um = between(10, 100'000);
+    words.r_um = between(1'000, 100'000);  // no two of 99 holes in the same thousandth
     words.d_degrees = static_cast<int>(between(0, 359));
     words.w_holes = static_cast<int>(between(1, 99));
     const bool has_q = between(0, 1) == 0;
@@ -137,7 +143,8 @@ RC_GTEST_PROP(RandomCycles, DrillHoleCirclesAsListed_DEC03_ROM07, ()) {
     ideal.hole_circle(has_q);
     const std::string block = "G86" + length('R', words.r_um) + 'D' + number(words.d_degrees, 3) + 'W' +
                               number(words.w_holes, 2) + depth_words(words, has_q);
-    expect_steps(run_cycle(block, start), start, words, ideal.steps(), {1, 1, 0});
+    const double tolerance_um = lies_on_thousandths(start.position) ? 0.65 : 1.15;
+    expect_steps(run_cycle(block, start), start, words, ideal.steps(), {tolerance_um, tolerance_um, 0});
   }
 }
 

@@ -4,8 +4,8 @@
 #include <iomanip>
 #include <sstream>
 
-#include "program/reachable.hpp"
 #include "program/functions.hpp"
+#include "program/reachable.hpp"
 #include "program/rebuild_modal.hpp"
 #include "run_text.hpp"
 
