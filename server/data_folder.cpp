@@ -5,8 +5,10 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <array>
 #include <charconv>
 #include <chrono>
+#include <sstream>
 
 #include "db/backup.hpp"
 #include "lab/passwords.hpp"
@@ -75,6 +77,15 @@ std::uint64_t number_of(const std::optional<std::string>& text) {
   return number;
 }
 
+/// "120 80 30"; nothing where none was ever set: lab.toml says it then.
+std::optional<std::array<double, 3>> workpiece_of(const std::optional<std::string>& text) {
+  if (!text) return std::nullopt;
+  std::istringstream words(*text);
+  std::array<double, 3> size_mm{};
+  for (double& mm : size_mm) words >> mm;
+  return words ? std::optional(size_mm) : std::nullopt;
+}
+
 std::optional<std::string> make_first_instructor(db::Database& database) {
   if (!database.people(true).empty()) return std::nullopt;
   const std::string password = lab::one_time_password();
@@ -97,6 +108,9 @@ std::expected<DataFolder, std::string> open_data_folder(const fs::path& folder) 
   lab::Inheritance inheritance;
   inheritance.newest_epoch = lab::Epoch{number_of(database->value("epoch"))};
   inheritance.machine_data = lab::machine_data_of(database->machine_data(db::kLabMachine));
+  inheritance.tools = database->value("tools").value_or("");
+  inheritance.workpiece_mm = workpiece_of(database->value("workpiece"));
+  inheritance.database = folder / kDatabase;
   auto first_password = make_first_instructor(*database);
   return DataFolder{std::move(*database), *certificate, inheritance, std::move(first_password)};
 }

@@ -6,6 +6,14 @@
 
 namespace cnclab::drawing {
 
+std::array<geometry::Point, 8> corners_of(const Box& box) {
+  std::array<geometry::Point, 8> corners;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+    corners[i] = {(i & 1U) != 0 ? box.high.x : box.low.x, (i & 2U) != 0 ? box.high.y : box.low.y,
+                  (i & 4U) != 0 ? box.high.z : box.low.z};
+  return corners;
+}
+
 Flat project(const geometry::Point& point, View view) {
   constexpr double kCosine30 = std::numbers::sqrt3 / 2;
   switch (view) {

@@ -2,19 +2,28 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <limits>
 
-#include "drawing/path_svg.hpp"
+#include "drawing/picture.hpp"
+#include "geometry/path_item.hpp"
 
 namespace cnclab::drawing {
 
-/// A point on paper: mm to the right and up, or pixels to the right and down.
-struct Flat {
-  double right = 0, up = 0;
+/// From where the part is seen: against Z, Y or X (D-128), or from above at an angle with all three axes.
+enum class View : std::uint8_t { xy, xz, yz, iso };
+
+/// A workpiece in path coordinates, mm.
+struct Box {
+  geometry::Point low, high;
 };
 
-[[nodiscard]] Flat project(const geometry::Point& point, View view);
+/// Corner i has the high X where bit 0 is set, the high Y where bit 1 is, the high Z where bit 2 is.
+[[nodiscard]] std::array<geometry::Point, 8> corners_of(const Box& box);
 
+/// mm to the right and up.
+[[nodiscard]] Flat project(const geometry::Point& point, View view);
 /// The smallest rectangle around points.
 struct Bounds {
   double left = std::numeric_limits<double>::infinity(), right = -std::numeric_limits<double>::infinity();

@@ -7,6 +7,7 @@
 #include "geometry/contour_check.hpp"
 
 #include <algorithm>
+#include <type_traits>
 
 #include "geometry/offset_element.hpp"
 
@@ -32,15 +33,16 @@ void ContourCheck::begin(Plane plane, double radius_mm) {
   first_of_chain_ = findings_.size();
 }
 
-void ContourCheck::append(SourceBlock source, const PathElement& element, std::vector<Placed>& pieces) {
+void ContourCheck::append(SourceBlock source, const PathElement& element, std::uint32_t number,
+                          std::vector<Placed>& pieces) {
   pieces_.clear();
   append_pieces(element, axes_of(plane_), pieces_);
-  for (const PlanePiece& piece : pieces_) pieces.push_back({.piece = piece, .element = elements_, .source = source});
+  for (const PlanePiece& piece : pieces_) pieces.push_back({.piece = piece, .element = number, .source = source});
 }
 
 void ContourCheck::add_contour(SourceBlock source, const PathElement& element) {
   ++elements_;
-  append(source, element, contour_);
+  append(source, element, elements_, contour_);
   const PlaneAxes& axes = axes_of(plane_);
   const auto ends = [&](const auto& way) {
     if (joints_.empty()) joints_.push_back(in_plane(way.from, axes));
@@ -49,7 +51,9 @@ void ContourCheck::add_contour(SourceBlock source, const PathElement& element) {
   std::visit(ends, element);
 }
 
-void ContourCheck::add_path(SourceBlock source, const PathElement& way) { append(source, way, ways_); }
+void ContourCheck::add_path(SourceBlock source, const PathElement& way) { append(source, way, elements_, ways_); }
+
+void ContourCheck::add_corner(SourceBlock source, const Arc& corner) { append(source, corner, 0, ways_); }
 
 void ContourCheck::end() {
   if (!is_open_) return;
@@ -58,8 +62,10 @@ void ContourCheck::end() {
   plant_tree();
   const double reach = radius_mm_ - kTolerance_mm;
   for (const Placed& way : ways_) {
-    tree_.visit_near(box_of(way.piece), reach, [&](std::size_t first, std::size_t last) {
-      for (std::size_t wall = first; wall < last; ++wall) compare(way, contour_[wall]);
+    const PieceBox box = box_of(way.piece);
+    tree_.visit_near(box, reach, [&](std::size_t first, std::size_t last) {
+      for (std::size_t wall = first; wall < last; ++wall)
+        if (is_near(boxes_[wall], box, reach)) compare(way, contour_[wall]);
     });
   }
 }
@@ -79,18 +85,25 @@ void ContourCheck::keep_closed_part() {
   }
 }
 
+/// Sorts the walls so that neighbours in space are neighbours in the tree.
 void ContourCheck::plant_tree() {
-  tree_.reserve_leaves(contour_.size());
-  for (std::size_t wall = 0; wall < contour_.size(); ++wall) tree_.add(wall, box_of(contour_[wall].piece));
-  tree_.complete();
+  boxes_.clear();
+  for (const Placed& wall : contour_) boxes_.push_back(box_of(wall.piece));
+  const std::vector<std::uint32_t> order = order_in_space(boxes_);
+  const auto sort = [&](auto& values) {
+    std::remove_reference_t<decltype(values)> sorted;
+    sorted.reserve(values.size());
+    for (const std::uint32_t index : order) sorted.push_back(values[index]);
+    values.swap(sorted);
+  };
+  sort(contour_);
+  sort(boxes_);
+  tree_.plant(boxes_);
 }
 
 void ContourCheck::compare(const Placed& way, const Placed& wall) {
-  // Beside its own element a way is at the tool's radius by construction.
+  // Beside its own element a way keeps the tool's radius by construction; a corner need not (an arc that returns).
   if (way.element == wall.element) return;
-  constexpr double kSameHeight_mm = 1e-9;
-  if (way.piece.lowest > wall.piece.highest + kSameHeight_mm || wall.piece.lowest > way.piece.highest + kSameHeight_mm)
-    return;
   const double found = distance_between(way.piece, wall.piece);
   if (found < radius_mm_ - kTolerance_mm) note(way.source, wall.source, found);
 }

@@ -32,6 +32,8 @@ class ContourCheck {
   /// The next element of the programmed contour (corners already rounded), followed by the ways that machine it.
   void add_contour(SourceBlock source, const PathElement& element);
   void add_path(SourceBlock source, const PathElement& way);
+  /// The arc about the corner ahead of the newest element.
+  void add_corner(SourceBlock source, const Arc& corner);
   /// The chain is complete: works out its findings. Without a chain: nothing.
   void end();
 
@@ -39,14 +41,14 @@ class ContourCheck {
   [[nodiscard]] const std::vector<StageFault>& findings() const { return findings_; }
 
  private:
-  /// A piece of contour element or way number `element`.
+  /// A piece of contour element number `element`, from 1, or of the way beside it; 0 is a corner.
   struct Placed {
     PlanePiece piece;
     std::uint32_t element = 0;
     SourceBlock source;
   };
 
-  void append(SourceBlock source, const PathElement& element, std::vector<Placed>& pieces);
+  void append(SourceBlock source, const PathElement& element, std::uint32_t number, std::vector<Placed>& pieces);
   void keep_closed_part();
   void plant_tree();
   void compare(const Placed& way, const Placed& wall);
@@ -59,7 +61,8 @@ class ContourCheck {
   std::vector<PlaneVector> joints_;  ///< where each element begins, and where the newest ends
   std::vector<Placed> contour_, ways_;
   std::vector<PlanePiece> pieces_;  ///< of the newest element
-  PieceTree tree_;                  ///< over contour_
+  std::vector<PieceBox> boxes_;     ///< of contour_, once it is complete
+  PieceTree tree_;                  ///< over boxes_
   std::size_t first_of_chain_ = 0;  ///< in findings_
   std::vector<StageFault> findings_;
 };

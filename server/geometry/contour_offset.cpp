@@ -315,7 +315,7 @@ void ContourOffset::emit_corner(std::vector<PathItem>& out, ContourCheck* check)
   corner.what = arc;
   at_ = element_.start;
   out.push_back(corner);
-  if (check != nullptr) check->add_path(held_.source, arc);
+  if (check != nullptr) check->add_corner(held_.source, arc);
 }
 
 /// Rule 3.

@@ -45,7 +45,10 @@ std::expected<void, StageFault> CornerRounder::push(const PathItem& item, std::v
   if (order_) return take_behind_order(item, ready);
   if (const auto* order = std::get_if<CornerRounding>(&item.what)) {
     const bool has_line = !queue_.empty() && moves_in_plane(std::get<Line>(queue_.front().what), axes_of(order->plane));
-    if (!has_line) return fault_at(StageFault::Kind::rounding_without_lines, item);
+    if (!has_line) {
+      release(ready);  // what is no line of the plane is right as it is
+      return fault_at(StageFault::Kind::rounding_without_lines, item);
+    }
     order_ = queue_.size();
     queue_.push_back(item);
     return {};

@@ -159,15 +159,18 @@ PieceBox box_of(const PlanePiece& piece) {
   return box;
 }
 
-void PieceTree::reserve_leaves(std::size_t pieces) {
-  constexpr PieceBox kNowhere{kFar, -kFar, kFar, -kFar, kFar, -kFar};
-  pieces_ = pieces;
-  leaves_ = 1;
-  while (leaves_ * kPiecesPerLeaf < pieces) leaves_ *= 2;
-  boxes_.assign(2 * leaves_, kNowhere);
-}
-
 namespace {
+
+/// Every third bit of the result is one of the lowest 21 of `value`.
+std::uint64_t spread(std::uint64_t value) {
+  value &= 0x1fffff;
+  value = (value | value << 32) & 0x001f00000000ffff;
+  value = (value | value << 16) & 0x001f0000ff0000ff;
+  value = (value | value << 8) & 0x100f00f00f00f00f;
+  value = (value | value << 4) & 0x10c30c30c30c30c3;
+  value = (value | value << 2) & 0x1249249249249249;
+  return value;
+}
 
 void include(PieceBox& whole, const PieceBox& part) {
   whole.first_low = std::min(whole.first_low, part.first_low);
@@ -178,22 +181,44 @@ void include(PieceBox& whole, const PieceBox& part) {
   whole.normal_high = std::max(whole.normal_high, part.normal_high);
 }
 
+constexpr PieceBox kNowhere{kFar, -kFar, kFar, -kFar, kFar, -kFar};
+
 }  // namespace
 
-void PieceTree::add(std::size_t index, const PieceBox& box) { include(boxes_[leaves_ + index / kPiecesPerLeaf], box); }
+std::vector<std::uint32_t> order_in_space(const std::vector<PieceBox>& boxes) {
+  constexpr double kSteps = 0x1fffff;
+  PieceBox whole = kNowhere;
+  for (const PieceBox& box : boxes) include(whole, box);
+  const double widest = std::max({whole.first_high - whole.first_low, whole.second_high - whole.second_low,
+                                  whole.normal_high - whole.normal_low, 1e-6});
+  const auto step = [&](double low, double high, double origin) {
+    return spread(static_cast<std::uint64_t>(((low + high) / 2 - origin) / widest * kSteps));
+  };
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
+  keys.reserve(boxes.size());
+  for (const PieceBox& box : boxes) {
+    const std::uint64_t key = step(box.first_low, box.first_high, whole.first_low) |
+                              step(box.second_low, box.second_high, whole.second_low) << 1 |
+                              step(box.normal_low, box.normal_high, whole.normal_low) << 2;
+    keys.emplace_back(key, static_cast<std::uint32_t>(keys.size()));
+  }
+  std::ranges::sort(keys);
+  std::vector<std::uint32_t> order;
+  order.reserve(keys.size());
+  for (const auto& [key, index] : keys) order.push_back(index);
+  return order;
+}
 
-void PieceTree::complete() {
+void PieceTree::plant(const std::vector<PieceBox>& boxes) {
+  pieces_ = boxes.size();
+  leaves_ = 1;
+  while (leaves_ * kPiecesPerLeaf < pieces_) leaves_ *= 2;
+  boxes_.assign(2 * leaves_, kNowhere);
+  for (std::size_t piece = 0; piece < pieces_; ++piece) include(boxes_[leaves_ + piece / kPiecesPerLeaf], boxes[piece]);
   for (std::size_t node = leaves_; node-- > 1;) {
     boxes_[node] = boxes_[2 * node];
     include(boxes_[node], boxes_[2 * node + 1]);
   }
-}
-
-bool PieceTree::is_near(const PieceBox& a, const PieceBox& b, double reach) {
-  constexpr double kSameHeight_mm = 1e-9;
-  return a.first_low <= b.first_high + reach && b.first_low <= a.first_high + reach &&
-         a.second_low <= b.second_high + reach && b.second_low <= a.second_high + reach &&
-         a.normal_low <= b.normal_high + kSameHeight_mm && b.normal_low <= a.normal_high + kSameHeight_mm;
 }
 
 }  // namespace cnclab::geometry

@@ -30,18 +30,25 @@ struct PieceBox {
 };
 [[nodiscard]] PieceBox box_of(const PlanePiece& piece);
 
-/// Boxes round runs of consecutive pieces, and boxes round those, and so on.
-///
-/// A contour's neighbours in order are neighbours in the plane, so the order of the contour is all the sorting needed.
+/// May what is in the boxes come closer than `reach` in the plane, and do their ranges along the normal meet?
+[[nodiscard]] inline bool is_near(const PieceBox& a, const PieceBox& b, double reach) {
+  constexpr double kSameHeight_mm = 1e-9;
+  return a.first_low <= b.first_high + reach && b.first_low <= a.first_high + reach &&
+         a.second_low <= b.second_high + reach && b.second_low <= a.second_high + reach &&
+         a.normal_low <= b.normal_high + kSameHeight_mm && b.normal_low <= a.normal_high + kSameHeight_mm;
+}
+
+/// The indices of the boxes along a curve that fills space (Morton's), so that near ones stand near each other.
+[[nodiscard]] std::vector<std::uint32_t> order_in_space(const std::vector<PieceBox>& boxes);
+
+/// Boxes round runs of consecutive pieces, and boxes round those, and so on. The better the order (see
+/// `order_in_space`), the fewer boxes a question touches.
 class PieceTree {
  public:
-  static constexpr std::size_t kPiecesPerLeaf = 4;  // 2 to 8 measured alike, 16 slower
+  static constexpr std::size_t kPiecesPerLeaf = 4;
 
-  /// Begins anew; then `add` every box in order, then `complete`.
-  void clear() { boxes_.clear(); }
-  void reserve_leaves(std::size_t pieces);
-  void add(std::size_t index, const PieceBox& box);
-  void complete();
+  /// Begins anew with these.
+  void plant(const std::vector<PieceBox>& boxes);
 
   /// Calls `visit(first, last)` for each run of pieces [first, last) that may come closer than `reach` to the box.
   template <typename Visit>
@@ -64,8 +71,6 @@ class PieceTree {
   }
 
  private:
-  [[nodiscard]] static bool is_near(const PieceBox& a, const PieceBox& b, double reach);
-
   std::size_t pieces_ = 0, leaves_ = 0;
   std::vector<PieceBox> boxes_;  ///< [1] is the root, [n] holds [2n] and [2n + 1], leaves from leaves_ on
 };

@@ -21,24 +21,29 @@ Refuse nobody_at(int station) {
   return {"An Platz " + number + " ist niemand angemeldet.", "Nobody is logged in at station " + number + "."};
 }
 
+Refuse locked_at(int station) {
+  const std::string number = std::to_string(station);
+  return {"Die Tastatur von Platz " + number + " ist gesperrt.", "The keyboard of station " + number + " is locked."};
+}
+
 }  // namespace
 
 const Authority::Table& Authority::table() {
   using A = Authority;
   // Columns: LoggedIn, LoggedOut, Select, ReleaseIt, Accept, Decline, Heard, HaltPressed, HaltCleared, PowerSwitched,
-  //          Polled
+  //          Locked, Deprived, Polled
   static const Table table{{
       /* nobody   */ {&A::note_login, &A::leave, &A::select, &A::release_nothing, &A::ignore, &A::ignore, &A::ignore,
-                      &A::halt, &A::clear_halt, &A::switch_power, &A::ignore},
+                      &A::halt, &A::clear_halt, &A::switch_power, &A::lock, &A::deprive, &A::ignore},
       /* offered  */
       {&A::note_login, &A::offer_withdrawn_by_leaving, &A::select, &A::withdraw_offer, &A::accept, &A::decline,
-       &A::ignore, &A::halt, &A::clear_halt, &A::switch_power, &A::expire_offer},
+       &A::ignore, &A::halt, &A::clear_halt, &A::switch_power, &A::lock, &A::deprive, &A::expire_offer},
       /* granted  */
       {&A::note_login, &A::lease_lost_by_leaving, &A::select_another, &A::release_lease, &A::ignore, &A::ignore,
-       &A::hear, &A::halt, &A::clear_halt, &A::switch_power, &A::watch_silence},
+       &A::hear, &A::halt, &A::clear_halt, &A::switch_power, &A::lock, &A::deprive, &A::watch_silence},
       /* stopping */
       {&A::note_login, &A::leave, &A::select_next, &A::release_next, &A::ignore, &A::ignore, &A::ignore, &A::halt,
-       &A::clear_halt, &A::switch_power, &A::finish_stopping},
+       &A::clear_halt, &A::switch_power, &A::lock, &A::deprive, &A::finish_stopping},
   }};
   return table;
 }
@@ -54,6 +59,11 @@ Actions Authority::apply(const Event& event, const MachineView& machine, std::in
 
 void Authority::note_login(const Step& step) {
   const auto& in = std::get<LoggedIn>(step.event);
+  const LoginId former = login_at(in.station);
+  if (former != in.login) {
+    take_away(former, "another login", step);
+    locked_.erase(former);
+  }
   logins_[in.station] = in.login;
 }
 
@@ -61,6 +71,7 @@ void Authority::leave(const Step& step) {
   const LoginId gone = std::get<LoggedOut>(step.event).login;
   if (next_station_ != 0 && login_at(next_station_) == gone) next_station_ = 0;
   std::erase_if(logins_, [gone](const auto& seat) { return seat.second == gone; });
+  locked_.erase(gone);
 }
 
 void Authority::offer_withdrawn_by_leaving(const Step& step) {
@@ -81,22 +92,14 @@ void Authority::lease_lost_by_leaving(const Step& step) {
 
 void Authority::select(const Step& step) {
   const auto& wish = std::get<Select>(step.event);
-  const LoginId login = login_at(wish.station);
-  if (login == kNoLogin) {
-    journal(step, "refused", "nobody logged in", wish.station, Epoch{});
-    step.actions.emplace_back(nobody_at(wish.station));
-    return;
-  }
-  offer(wish.station, login, step);
+  if (!refuses_station(wish.station, step)) offer(wish.station, login_at(wish.station), step);
 }
 
 void Authority::select_another(const Step& step) {
   const auto& wish = std::get<Select>(step.event);
   const std::string number = std::to_string(wish.station);
-  if (login_at(wish.station) == kNoLogin) {
-    journal(step, "refused", "nobody logged in", wish.station, Epoch{});
-    step.actions.emplace_back(nobody_at(wish.station));
-  } else if (wish.station == station_) {
+  if (refuses_station(wish.station, step)) return;
+  if (wish.station == station_) {
     step.actions.emplace_back(
         Refuse{"Platz " + number + " hat die Maschine schon.", "Station " + number + " has the machine already."});
   } else if (!wish.force && !step.machine.at_rest()) {
@@ -111,10 +114,7 @@ void Authority::select_another(const Step& step) {
 
 void Authority::select_next(const Step& step) {
   const auto& wish = std::get<Select>(step.event);
-  if (login_at(wish.station) == kNoLogin)
-    step.actions.emplace_back(nobody_at(wish.station));
-  else
-    next_station_ = wish.station;
+  if (!refuses_station(wish.station, step)) next_station_ = wish.station;
 }
 
 void Authority::release_nothing(const Step&) {}
@@ -211,9 +211,44 @@ void Authority::switch_power(const Step& step) {
   journal(step, powered_ ? "power_on" : "power_off", "", selected(), newest_);
 }
 
+// --- keyboards --------------------------------------------------------------------------------------------------
+
+void Authority::lock(const Step& step) {
+  const auto& event = std::get<Locked>(step.event);
+  if (!event.on) {
+    locked_.erase(event.login);
+    return;
+  }
+  locked_.insert(event.login);
+  take_away(event.login, "locked", step);
+}
+
+void Authority::deprive(const Step& step) {
+  const auto& event = std::get<Deprived>(step.event);
+  take_away(event.login, event.why, step);
+}
+
+void Authority::take_away(LoginId login, const std::string& why, const Step& step) {
+  if (login == kNoLogin) return;
+  if (login == holder()) return end_lease(StopCause::lease_ended, why, step);
+  if (next_station_ != 0 && login == login_at(next_station_)) next_station_ = 0;
+  if (login != asked()) return;
+  journal(step, "offer_void", why, station_, Epoch{});
+  to_nobody();
+}
+
 void Authority::ignore(const Step&) {}
 
 // --- parts of rules ---------------------------------------------------------------------------------------------
+
+bool Authority::refuses_station(int station, const Step& step) const {
+  const LoginId login = login_at(station);
+  const bool is_locked = locked_.contains(login);
+  if (login != kNoLogin && !is_locked) return false;
+  journal(step, "refused", is_locked ? "keyboard locked" : "nobody logged in", station, Epoch{});
+  step.actions.emplace_back(is_locked ? locked_at(station) : nobody_at(station));
+  return true;
+}
 
 void Authority::offer(int station, LoginId login, const Step& step) {
   if (phase_ == Phase::offered) journal(step, "offer_void", "another station selected", station_, Epoch{});

@@ -13,6 +13,7 @@
 #include <array>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <variant>
 #include <vector>
@@ -81,9 +82,17 @@ struct HaltCleared {
 struct PowerSwitched {
   bool on = false;
 };
+struct Locked {
+  LoginId login{};
+  bool on = false;
+};  ///< the instructor locks or unlocks that login's keyboard: what it has of the machine ends first (AUTH-016)
+struct Deprived {
+  LoginId login{};
+  std::string why;
+};  ///< what that login has of the machine ends, the login stays: the console that typed for it is lost (AUTH-016)
 struct Polled {};  ///< time passed
 using Event = std::variant<LoggedIn, LoggedOut, Select, ReleaseIt, Accept, Decline, Heard, HaltPressed, HaltCleared,
-                           PowerSwitched, Polled>;
+                           PowerSwitched, Locked, Deprived, Polled>;
 inline constexpr std::size_t kEvents = std::variant_size_v<Event>;
 
 // Actions
@@ -173,6 +182,8 @@ class Authority {
   void halt(const Step& step);
   void clear_halt(const Step& step);
   void switch_power(const Step& step);
+  void lock(const Step& step);
+  void deprive(const Step& step);
   void expire_offer(const Step& step);
   void watch_silence(const Step& step);
   void finish_stopping(const Step& step);
@@ -181,6 +192,9 @@ class Authority {
   void offer(int station, LoginId login, const Step& step);
   void grant(const Step& step);
   void end_lease(machine::StopCause cause, const std::string& why, const Step& step);
+  void take_away(LoginId login, const std::string& why, const Step& step);
+  /// Notes that the station cannot be selected: nobody is there, or the keyboard is locked.
+  [[nodiscard]] bool refuses_station(int station, const Step& step) const;
   void to_nobody();
   [[nodiscard]] LoginId login_at(int station) const;
   [[nodiscard]] std::int64_t expiry_ns(const MachineView& machine) const;
@@ -195,6 +209,7 @@ class Authority {
   std::int64_t offered_until_ns_ = 0;
   std::int64_t last_beat_ns_ = 0;  ///< when the newest beat that the holder answered was sent
   std::map<int, LoginId> logins_;
+  std::set<LoginId> locked_;
   bool halted_ = false;
   LoginId halted_login_ = kNoLogin;
   std::string halted_by_;

@@ -2,6 +2,7 @@
 #include "lab/console.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include "cnclab/v1/envelope.pb.h"
 #include "lab/console_ask.hpp"
@@ -20,7 +21,7 @@ void Console::answer(const std::shared_ptr<Visit>& visit, const v1::InstructorRe
     case R::kStatus:
       return status(reply);
     case R::kSelect:
-      return decided(reply, Select{static_cast<int>(request.select().station()), request.select().force()});
+      return select(reply, request.select());
     case R::kRelease:
       return decided(reply, ReleaseIt{request.release().force()});
     case R::kHalt:
@@ -35,6 +36,22 @@ void Console::answer(const std::shared_ptr<Visit>& visit, const v1::InstructorRe
       return input(reply, request.input());
     case R::kMachineData:
       return machine_data(reply, request.machine_data());
+    case R::kTools:
+      return tools(reply, request.tools());
+    case R::kWorkpiece:
+      return workpiece(reply, request.workpiece());
+    case R::kShow:
+      return show(reply, request.show());
+    case R::kWatch:
+      return watch(reply, request.watch());
+    case R::kTake:
+      return take(reply, request.take());
+    case R::kGive:
+      return give(reply, request.give());
+    case R::kLock:
+      return lock(reply, request.lock(), true);
+    case R::kUnlock:
+      return lock(reply, request.unlock(), false);
     case R::kMessage:
       return message(reply, request.message());
     case R::kExpel:
@@ -53,6 +70,10 @@ void Console::answer(const std::shared_ptr<Visit>& visit, const v1::InstructorRe
       return student_rename(reply, request.student_rename());
     case R::kStudentPassword:
       return student_password(reply, request.student_password());
+    case R::kImport:
+      return import(reply, request.import());
+    case R::kExport:
+      return export_roster(reply);
     case R::kPrograms:
       return programs(reply, request.programs());
     case R::kProgramShow:
@@ -61,13 +82,21 @@ void Console::answer(const std::shared_ptr<Visit>& visit, const v1::InstructorRe
       return program_versions(reply, request.program_versions());
     case R::kProgramSend:
       return program_send(reply, request.program_send());
+    case R::kProgramCollect:
+      return program_collect(reply, request.program_collect());
+    case R::kProgramRestore:
+      return program_restore(reply, request.program_restore());
     case R::kRuns:
       return runs(reply, request.runs());
     case R::kRunTrace:
       return run_trace(reply, request.run_trace());
     case R::kJournal:
       return journal(reply, request.journal());
-    default:
+    case R::kBackup:
+      return backup(reply);
+    case R::kRemote:
+    case R::kRunReplay:
+    case R::WHAT_NOT_SET:
       return send_error(reply, lab_.say(reply.tongue, "Diesen Befehl kennt der Server nicht.",
                                         "This server does not know that command."));
   }
@@ -112,10 +141,15 @@ void Console::send_error(const Reply& reply, const std::string& error) const {
 void Console::send_done(const Reply& reply, const std::string& detail) const { send(reply, {done_item(detail)}); }
 
 void Console::send_file(const Reply& reply, std::string content) const {
+  const std::uint64_t size = content.size();
+  send_file(reply, std::make_shared<std::istringstream>(std::move(content)), size);
+}
+
+void Console::send_file(const Reply& reply, std::shared_ptr<std::istream> content, std::uint64_t size) const {
   if (reply.visit->transfer)
     return send_error(reply,
                       lab_.say(reply.tongue, "Eine Übertragung läuft schon.", "A transfer is under way already."));
-  reply.visit->transfer = Visit::Transfer{++reply.visit->transfers, std::move(content), 0};
+  reply.visit->transfer = Visit::Transfer{++reply.visit->transfers, std::move(content), size, 0};
   v1::ServerMessage message;
   message.mutable_answer()->set_number(reply.number);
   message.mutable_answer()->set_transfer(reply.visit->transfer->number);
@@ -128,8 +162,7 @@ void Console::send_file(const Reply& reply, std::string content) const {
 void Console::continue_transfer(const std::shared_ptr<Visit>& visit, const v1::ChunkAck& ack) {
   auto& transfer = visit->transfer;
   if (!transfer || ack.transfer() != transfer->number) return;  // the end of a transfer that is over
-  if (ack.abort() ||
-      (transfer->sent == transfer->content.size() && ack.next_offset() == transfer->sent && transfer->sent > 0)) {
+  if (ack.abort() || (transfer->sent == transfer->size && ack.next_offset() == transfer->sent && transfer->sent > 0)) {
     transfer.reset();
     return;
   }
@@ -138,9 +171,12 @@ void Console::continue_transfer(const std::shared_ptr<Visit>& visit, const v1::C
   auto& chunk = *message.mutable_chunk();
   chunk.set_transfer(transfer->number);
   chunk.set_offset(transfer->sent);
-  chunk.set_data(transfer->content.substr(transfer->sent, kLargestChunk));
-  transfer->sent += chunk.data().size();
-  chunk.set_is_last(transfer->sent == transfer->content.size());
+  std::string data(std::min<std::uint64_t>(kLargestChunk, transfer->size - transfer->sent), '\0');
+  transfer->content->read(data.data(), static_cast<std::streamsize>(data.size()));
+  if (!transfer->content->good()) return lab_.hang_up(visit, "the content of a transfer cannot be read");
+  transfer->sent += data.size();
+  chunk.set_data(std::move(data));
+  chunk.set_is_last(transfer->sent == transfer->size);
   visit->peer->send(message);
 }
 

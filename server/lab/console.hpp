@@ -10,6 +10,8 @@
 #include "cnclab/v1/bulk.pb.h"
 #include "cnclab/v1/instructor.pb.h"
 #include "lab/lab.hpp"
+#include "lab/refusal.hpp"
+#include "language/error.hpp"
 
 namespace cnclab::lab {
 
@@ -34,6 +36,8 @@ class Console {
   void send(const Reply& reply, const Items& items) const;
   void send_error(const Reply& reply, const std::string& error) const;
   void send_done(const Reply& reply, const std::string& detail = {}) const;
+  /// The content follows chunk by chunk; `size` bytes of it.
+  void send_file(const Reply& reply, std::shared_ptr<std::istream> content, std::uint64_t size) const;
   void send_file(const Reply& reply, std::string content) const;
   /// Runs a job on the store; `then` gets its result on the lab thread, errors go to the console.
   template <class Job, class Then>
@@ -42,13 +46,31 @@ class Console {
   // console_machine.cpp
   void status(const Reply& reply) const;
   void decided(const Reply& reply, const Event& event) const;
+  void tools(const Reply& reply, const v1::SetTools& request) const;
+  void workpiece(const Reply& reply, const v1::SetWorkpiece& request) const;
+  void store_value(const Reply& reply, const std::string& key, const std::string& value,
+                   std::function<void(Lab&, const std::string&)> then) const;
   void input(const Reply& reply, const v1::SetInput& request) const;
   void machine_data(const Reply& reply, const v1::ChangeMachineData& request) const;
+
+  // console_classroom.cpp
+  /// Who sits there; answers with an error where nobody does.
+  [[nodiscard]] std::shared_ptr<Desk> desk_at(const Reply& reply, std::uint32_t station) const;
+  void done_at(const Reply& reply, const std::shared_ptr<Desk>& desk, const std::string& what) const;
+  void select(const Reply& reply, const v1::SelectStation& request) const;
   void message(const Reply& reply, const v1::SendMessage& request) const;
+  void show(const Reply& reply, const v1::ShowStation& request) const;
+  void watch(const Reply& reply, const v1::StationOnly& request) const;
+  void take(const Reply& reply, const v1::StationOnly& request) const;
+  void give(const Reply& reply, const v1::StationOnly& request) const;
+  void lock(const Reply& reply, const v1::StationOnly& request, bool on) const;
   void expel(const Reply& reply, const v1::StationOnly& request) const;
+
+  // console_records.cpp
   void runs(const Reply& reply, const v1::StudentName& request) const;
   void run_trace(const Reply& reply, const v1::RunName& request) const;
   void journal(const Reply& reply, const v1::JournalQuery& request) const;
+  void backup(const Reply& reply) const;
 
   // console_roster.cpp
   void passwd(const Reply& reply, const v1::NewPassword& request) const;
@@ -58,6 +80,11 @@ class Console {
   void student_restore(const Reply& reply, const v1::StudentName& request) const;
   void student_rename(const Reply& reply, const v1::StudentRename& request) const;
   void student_password(const Reply& reply, const v1::StudentName& request) const;
+  struct Import;
+  void hash_next(const Reply& reply, const std::shared_ptr<Import>& import) const;
+  void add_all(const Reply& reply, const std::shared_ptr<Import>& import) const;
+  void import(const Reply& reply, const v1::RosterImport& request) const;
+  void export_roster(const Reply& reply) const;
   void with_hash(const Reply& reply, const std::string& password, std::function<void(std::string)> then) const;
 
   // console_programs.cpp
@@ -65,16 +92,14 @@ class Console {
   void program_show(const Reply& reply, const v1::ProgramName& request) const;
   void program_versions(const Reply& reply, const v1::ProgramName& request) const;
   void program_send(const Reply& reply, const v1::ProgramSend& request) const;
-  void reload(db::PersonId person) const;
+  void program_collect(const Reply& reply, const v1::ProgramCollect& request) const;
+  void program_restore(const Reply& reply, const v1::ProgramName& request) const;
 
   Lab& lab_;
 };
 
-/// A refusal in the user's words, thrown inside a store job to end it without effect.
-struct Refusal {
-  std::string german, english;
-};
-
+/// "3: P0001 N002: what is wrong"
+[[nodiscard]] std::string tape_error(const language::Error& error, language::Tongue tongue);
 [[nodiscard]] v1::InstructorItem done_item(const std::string& detail);
 
 }  // namespace cnclab::lab

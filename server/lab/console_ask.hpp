@@ -26,10 +26,7 @@ void Console::ask_store(const Reply& reply, Job job, Then then) const {
         if (!*alive || reply.visit->stage != Stage::at_console) return;
         const Console console(lab);
         if (!result) return console.send_error(reply, result.error().text);
-        if (!*result) {
-          const Refusal& refusal = result->error();
-          return console.send_error(reply, reply.tongue == language::Tongue::german ? refusal.german : refusal.english);
-        }
+        if (!*result) return console.send_error(reply, result->error().in(reply.tongue));
         then(console, std::move(**result));
       });
 }

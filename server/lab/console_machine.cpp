@@ -1,15 +1,19 @@
-// Requests about the machine: status, selector, inputs, data, runs, journal.
+// Requests about the machine: status, selector, inputs, data, tools, workpiece.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 
 #include "lab/console_ask.hpp"
 #include "lab/stored_control.hpp"
+#include "language/tape.hpp"
 
 namespace cnclab::lab {
 
 namespace {
+
+constexpr std::int64_t kMinute_ns = 60'000'000'000;
+constexpr double kLeastWorkpiece_mm = 1, kMostWorkpiece_mm = 1000;
+constexpr std::size_t kJournalled = 200;  ///< of a value, characters
 
 std::string state_name(machine::MotionState state) {
   using machine::MotionState;
@@ -46,18 +50,6 @@ void fill_machine(v1::MachineStatus& out, const machine::Snapshot& snapshot, con
                                                                          : -rpm);
 }
 
-/// Local time "2026-11-22" or "2026-11-22T10:15"; nothing when malformed.
-std::optional<std::int64_t> parse_since(const std::string& text) {
-  if (text.empty()) return 0;
-  for (const char* format : {"%Y-%m-%dT%H:%M:%S", "%Y-%m-%dT%H:%M", "%Y-%m-%d"}) {
-    std::tm time{};
-    time.tm_isdst = -1;
-    const char* end = strptime(text.c_str(), format, &time);
-    if (end != nullptr && *end == '\0') return static_cast<std::int64_t>(std::mktime(&time)) * 1000;
-  }
-  return std::nullopt;
-}
-
 v1::InstructorItem datum_item(int number, std::int64_t value) {
   v1::InstructorItem item;
   item.mutable_machine_datum()->set_number(static_cast<std::uint32_t>(number));
@@ -75,6 +67,7 @@ void Console::status(const Reply& reply) const {
   status.set_offered(static_cast<std::uint32_t>(authority.offered()));
   status.set_lease(static_cast<double>(static_cast<std::uint64_t>(authority.newest())));
   status.set_halted_by(authority.halted_by());
+  status.set_shown(static_cast<std::uint32_t>(lab_.shown_station_));
   fill_machine(*status.mutable_machine(), lab_.channel_->snapshot(), authority);
   const auto ticks = lab_.ticks_.statistics();
   status.mutable_ticks()->set_late(static_cast<double>(ticks.late));
@@ -96,6 +89,11 @@ void Console::status(const Reply& reply) const {
     station.set_last_key(desk->last_key);
     const auto hand = std::ranges::find_if(lab_.hands_, [&](const auto& raised) { return raised.lock() == desk; });
     if (hand != lab_.hands_.end()) station.set_meldung(static_cast<std::uint32_t>(hand - lab_.hands_.begin()) + 1);
+    station.set_locked(desk->is_locked);
+    station.set_taken_by(desk->taken_by);
+    const std::int64_t a_minute_ago_ns = lab_.clock_.monotonic_ns() - kMinute_ns;
+    station.set_errors_last_minute(static_cast<std::uint32_t>(
+        std::ranges::count_if(desk->errors_ns, [&](std::int64_t at_ns) { return at_ns > a_minute_ago_ns; })));
   }
   send(reply, {item});
 }
@@ -154,92 +152,53 @@ void Console::machine_data(const Reply& reply, const v1::ChangeMachineData& requ
       });
 }
 
-void Console::message(const Reply& reply, const v1::SendMessage& request) const {
-  const std::string text = request.text().substr(0, 200);
-  bool anybody = false;
-  for (const auto& [id, desk] : lab_.desks_) {
-    if (request.station() != 0 && desk->station != static_cast<int>(request.station())) continue;
-    lab_.note(*desk, reply.visit->person.name + ": " + text);
-    anybody = true;
+void Console::tools(const Reply& reply, const v1::SetTools& request) const {
+  if (request.tape().empty()) {
+    v1::InstructorItem item;
+    item.mutable_program_text()->set_text(lab_.tools_.empty() ? "P0000\n%" : lab_.tools_ + "%");
+    return send(reply, {item});
   }
-  if (!anybody)
-    return send_error(reply, lab_.say(reply.tongue, "Dort ist niemand angemeldet.", "Nobody is logged in there."));
-  lab_.write_journal("message", text, static_cast<int>(request.station()), reply.visit->person.name);
-  send_done(reply);
+  if (lab_.authority_.phase() != Phase::nobody)
+    return send_error(
+        reply, lab_.say(reply.tongue, "Die Werkzeugliste lässt sich nur ändern, wenn kein Platz die Maschine hat.",
+                        "The tool list can be changed only while no station has the machine."));
+  const language::Tape tape = language::read_tape(request.tape(), language::Reading::file, reply.tongue);
+  if (!tape.errors.empty()) return send_error(reply, tape_error(tape.errors.front(), reply.tongue));
+  if (tape.programs.size() != 1 || tape.programs.front().program.number != 0)
+    return send_error(reply, lab_.say(reply.tongue, "Die Datei muss genau das Programm P0000 enthalten.",
+                                      "The file must hold the program P0000 and no other."));
+  store_value(reply, "tools", language::write_program(tape.programs.front().program),
+              [](Lab& lab, const std::string& text) { lab.tools_ = text; });
 }
 
-void Console::expel(const Reply& reply, const v1::StationOnly& request) const {
-  const auto desk = lab_.seated_at(static_cast<int>(request.station()));
-  if (!desk)
-    return send_error(reply, lab_.say(reply.tongue, "Dort ist niemand angemeldet.", "Nobody is logged in there."));
-  const auto visit = desk->visit.lock();
-  lab_.vacate(visit, "expelled");
-  lab_.dismiss(desk);
-  lab_.farewell(visit, 9,
-                lab_.say(lab_.tongue_of(desk->person), "Die Lehrkraft hat die Verbindung beendet.",
-                         "The instructor has ended the connection."));
-  send_done(reply);
+void Console::workpiece(const Reply& reply, const v1::SetWorkpiece& request) const {
+  if (request.print_only()) {
+    v1::InstructorItem item;
+    item.mutable_workpiece()->set_x(lab_.workpiece_mm_[0]);
+    item.mutable_workpiece()->set_y(lab_.workpiece_mm_[1]);
+    item.mutable_workpiece()->set_z(lab_.workpiece_mm_[2]);
+    return send(reply, {item});
+  }
+  const std::array<double, 3> size_mm{request.x(), request.y(), request.z()};
+  if (!std::ranges::all_of(size_mm, [](double mm) { return mm >= kLeastWorkpiece_mm && mm <= kMostWorkpiece_mm; }))
+    return send_error(reply, lab_.say(reply.tongue, "Ein Werkstück hat Kanten von 1 bis 1000 mm.",
+                                      "A workpiece has edges of 1 to 1000 mm."));
+  store_value(reply, "workpiece", fmt::format("{} {} {}", size_mm[0], size_mm[1], size_mm[2]),
+              [size_mm](Lab& lab, const std::string&) { lab.workpiece_mm_ = size_mm; });
 }
 
-void Console::runs(const Reply& reply, const v1::StudentName& request) const {
-  ask_store(
-      reply, [name = request.name()](db::Database& database) { return database.runs(person_named(database, name).id); },
-      [reply](const Console& console, const std::vector<db::RunRecord>& runs) {
-        Items items;
-        for (const auto& run : runs) {
-          v1::InstructorItem item;
-          auto& info = *item.mutable_run();
-          info.set_id(static_cast<std::uint32_t>(run.id));
-          info.set_started(iso_time(run.started_ms));
-          info.set_machine(run.machine);
-          info.set_program(fmt::format("P{:04}", run.program));
-          info.set_seconds(run.seconds.value_or(0));
-          info.set_ended(run.ended);
-          items.push_back(item);
-        }
-        console.send(reply, items);
-      });
-}
-
-void Console::run_trace(const Reply& reply, const v1::RunName& request) const {
+void Console::store_value(const Reply& reply, const std::string& key, const std::string& value,
+                          std::function<void(Lab&, const std::string&)> then) const {
   ask_store(
       reply,
-      [run = static_cast<std::int64_t>(request.run())](db::Database& database) {
-        std::string trace = database.trace(run);
-        if (trace.empty())
-          throw Refusal{fmt::format("Von Lauf {} gibt es keine Spur.", run),
-                        fmt::format("There is no trace of run {}.", run)};
-        return trace;
+      [key, value](db::Database& database) {
+        database.put_value(key, value);
+        return true;
       },
-      [reply](const Console& console, const std::string& packed) {
-        const auto limits = machine::motion_limits(console.lab_.machine_data_);
-        console.send_file(reply, trace_csv(packed, limits.steps_per_mm));
-      });
-}
-
-void Console::journal(const Reply& reply, const v1::JournalQuery& request) const {
-  const auto since = parse_since(request.since());
-  if (!since)
-    return send_error(reply, lab_.say(reply.tongue, "Zeit als JJJJ-MM-TT oder JJJJ-MM-TTThh:mm angeben.",
-                                      "Give the time as YYYY-MM-DD or YYYY-MM-DDThh:mm."));
-  lab_.flush_journal();
-  ask_store(
-      reply,
-      [name = request.student(), since = *since](db::Database& database) { return database.journal(name, since); },
-      [reply](const Console& console, const std::vector<db::JournalEntry>& entries) {
-        Items items;
-        for (const auto& entry : entries) {
-          v1::InstructorItem item;
-          auto& line = *item.mutable_journal();
-          line.set_time(iso_time(entry.time_ms));
-          line.set_station(static_cast<std::uint32_t>(entry.station));
-          line.set_student(entry.person);
-          line.set_kind(entry.kind);
-          line.set_detail(entry.detail);
-          line.set_lease(static_cast<double>(entry.lease));
-          items.push_back(item);
-        }
-        console.send(reply, items);
+      [reply, key, value, then = std::move(then)](const Console& console, bool) {
+        then(console.lab_, value);
+        console.lab_.write_journal(key, value.substr(0, kJournalled), 0, reply.visit->person.name);
+        console.send_done(reply);
       });
 }
 

@@ -57,13 +57,17 @@ void check_room(db::Database& database, const std::vector<db::Person>& people, c
                       fmt::format("{} has a program P{:04} already; --replace replaces it.", person.name, number)};
       memory.put_program(read.program);
     }
-    if (memory.free_bytes() < 0)
+    if (used_bytes(memory) > language::empty_memory_bytes(memory_bytes))
       throw Refusal{fmt::format("Der Speicher von {} reicht dafür nicht.", person.name),
                     fmt::format("The memory of {} is too small for this.", person.name)};
   }
 }
 
 }  // namespace
+
+std::string tape_error(const language::Error& error, language::Tongue tongue) {
+  return fmt::format("{}: {}: {}", error.line, language::place_of(error), language::message_of(error, tongue));
+}
 
 int stored_cost(int program, const db::StoredBlock& block) {
   const auto read = language::read_block(block.text, static_cast<std::uint16_t>(program));
@@ -139,11 +143,7 @@ void Console::program_send(const Reply& reply, const v1::ProgramSend& request) c
                                       "The file is too large (at most 60000 characters)."));
   const auto tape =
       std::make_shared<const language::Tape>(language::read_tape(request.tape(), language::Reading::file));
-  if (!tape->errors.empty()) {
-    const auto& error = tape->errors.front();
-    return send_error(reply, fmt::format("{}: {}: {}", error.line, language::place_of(error),
-                                         language::message_of(error, reply.tongue)));
-  }
+  if (!tape->errors.empty()) return send_error(reply, tape_error(tape->errors.front(), reply.tongue));
   if (tape->programs.empty())
     return send_error(reply,
                       lab_.say(reply.tongue, "In der Datei steht kein Programm.", "There is no program in the file."));
@@ -162,22 +162,9 @@ void Console::program_send(const Reply& reply, const v1::ProgramSend& request) c
         return ids;
       },
       [reply](const Console& console, const std::vector<db::PersonId>& ids) {
-        for (const auto id : ids) console.reload(id);
+        for (const auto id : ids) console.lab_.reload_programs(id);
         console.send_done(reply, fmt::format("{}", ids.size()));
       });
-}
-
-void Console::reload(db::PersonId person) const {
-  if (!lab_.desk_of(person)) return;
-  lab_.store_.run([person](db::Database& database) { return database.programs(person); },
-                  [&lab = lab_, alive = lab_.alive_,
-                   person](const std::expected<std::vector<db::StoredProgram>, db::StoreError>& programs) {
-                    if (!*alive || !programs) return;
-                    const auto desk = lab.desk_of(person);
-                    if (!desk) return;
-                    desk->control.replace_memory(memory_of(*programs, lab.configuration_.memory_bytes));
-                    desk->is_dirty = true;
-                  });
 }
 
 }  // namespace cnclab::lab

@@ -2,21 +2,12 @@
 #include <algorithm>
 
 #include "lab/console_ask.hpp"
+#include "lab/roster_csv.hpp"
 #include "language/check_block.hpp"
 
 namespace cnclab::lab {
 
 namespace {
-
-constexpr std::size_t kLongestName = 32;
-
-/// Names are typed at stations and stand on screens: letters, digits and . - _ only, at most 32 bytes.
-bool is_name(const std::string& name) {
-  const auto allowed = [](unsigned char c) {
-    return std::isalnum(c) != 0 || c == '.' || c == '-' || c == '_' || c >= 0x80;
-  };
-  return !name.empty() && name.size() <= kLongestName && std::ranges::all_of(name, allowed);
-}
 
 Refusal bad_name(const std::string& name) {
   return {"Kein gültiger Name: „" + name + "“ (Buchstaben, Ziffern, . - _, höchstens 32 Zeichen).",

@@ -35,7 +35,8 @@ void Desk::stop_training() { training_->stop(machine::StopCause::operator_stop);
 
 std::uint64_t Desk::handled() const {
   if (storing && *storing > 0) return *storing - 1;
-  if (!waiting.empty()) return waiting.front().number - 1;
+  for (const Input& input : waiting)
+    if (input.number > 0) return input.number - 1;
   return received;
 }
 

@@ -11,6 +11,7 @@
 #include "cnclab/v1/keys.pb.h"
 #include "db/types.hpp"
 #include "lab/authority.hpp"
+#include "lab/screen_feed.hpp"
 #include "machine/channel.hpp"
 #include "machine/simulated_machine.hpp"
 #include "machine/tick_thread.hpp"
@@ -22,8 +23,8 @@ struct Visit;
 
 /// A key or a turn of the potentiometer on its way to the control.
 struct Input {
-  std::uint64_t number = 0;
-  std::vector<Key> keys;  ///< empty: potentiometer
+  std::uint64_t number = 0;  ///< 0: typed at a console, never acknowledged
+  std::vector<Key> keys;     ///< empty: potentiometer
   bool pressed = true;
   bool is_repeat = false;
   int percent = 0;
@@ -57,6 +58,13 @@ struct Desk {
   panel::Control control;
   bool on_lab_machine = false;
 
+  // Who else has a hand on the keyboard (lab_keyboards.cpp)
+  bool is_locked = false;            ///< but for STOP and MASCHINE HALT (AUTH-016)
+  std::string taken_by;              ///< the instructor who types in the student's place, empty if nobody
+  std::weak_ptr<Visit> taker;        ///< that instructor's console while its line lives
+  std::int64_t station_beat_ns = 0;  ///< when the newest beat that the station answered was sent
+  std::int64_t console_beat_ns = 0;  ///< as well, of the console that types
+
   std::deque<Input> waiting;                ///< keys that came while something was being stored
   std::uint64_t received = 0;               ///< number of the last input that came
   std::optional<std::uint64_t> storing;     ///< number of the input whose store is on its way
@@ -68,6 +76,8 @@ struct Desk {
   std::string notice;  ///< the lab's own sentence for row 18
   std::int64_t notice_until_ns = 0;
   std::string last_key;
+  View view;                           ///< what was drawn last
+  std::deque<std::int64_t> errors_ns;  ///< when errors came up in the last minute (INS-001)
   std::int64_t last_drawn_ns = 0, last_saved_ns = 0;
   std::string saved_state;
   bool is_dirty = true;  ///< the screen is to be drawn

@@ -27,6 +27,10 @@ AuthorityRules rules_of(const Configuration& configuration) {
   return rules;
 }
 
+std::array<double, 3> workpiece_of(const Configuration& configuration) {
+  return {configuration.size_mm.at(0), configuration.size_mm.at(1), configuration.size_mm.at(2)};
+}
+
 }  // namespace
 
 Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& ticks, db::Post post, Clock clock,
@@ -40,6 +44,9 @@ Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& tic
       authority_(rules_of(configuration_), inheritance.newest_epoch),
       kept_epoch_(static_cast<std::uint64_t>(inheritance.newest_epoch)),
       machine_data_(inheritance.machine_data),
+      tools_(inheritance.tools),
+      workpiece_mm_(inheritance.workpiece_mm.value_or(workpiece_of(configuration_))),
+      backup_(inheritance.database, post_),
       machine_(machine_data_),
       channel_(std::make_shared<machine::Channel>(machine_, machine_data_)),
       recorder_(store, channel_) {
@@ -75,8 +82,7 @@ void Lab::receive(const VisitPtr& visit, const v1::ClientMessage& message) {
       if (!visit->feed.acknowledge(message.screen_ack().number())) return hang_up(visit, "unknown screen acknowledged");
       return push(visit);
     case v1::ClientMessage::kAlive:
-      if (visit->desk) heard(*visit->desk, message.alive().beat());
-      return;
+      return heard(visit, message.alive().beat());
     case v1::ClientMessage::kLogout:
       return log_out(visit, "log-out");
     case v1::ClientMessage::kRequest:
@@ -96,6 +102,7 @@ void Lab::receive(const VisitPtr& visit, const v1::ClientMessage& message) {
 
 void Lab::lost(const VisitPtr& visit) {
   if (visit->stage == Stage::at_desk) vacate(visit, "line lost");
+  let_go_of_keyboard(visit);
   visit->stage = Stage::gone;
   std::erase(visits_, visit);
 }
@@ -103,6 +110,7 @@ void Lab::lost(const VisitPtr& visit) {
 void Lab::hang_up(const VisitPtr& visit, const std::string& reason) {
   spdlog::info("{}: connection ended: {}", visit->peer->address(), reason);
   if (visit->stage == Stage::at_desk) vacate(visit, reason);
+  let_go_of_keyboard(visit);
   visit->stage = Stage::gone;
   visit->peer->hang_up(reason);
   std::erase(visits_, visit);
@@ -153,7 +161,8 @@ void Lab::send_beats(std::int64_t now_ns) {
   v1::ServerMessage message;
   message.mutable_beat()->set_number(beats_.number());
   for (const VisitPtr& visit : visits_) {
-    const bool has_lease = visit->desk && visit->desk->login == authority_.holder();
+    const DeskPtr desk = typed_at(*visit);
+    const bool has_lease = desk && desk->login == authority_.holder();
     if (!visit->is_logged_in() || (!has_lease && now_ns - visit->last_beat_ns < kSecond_ns)) continue;
     visit->last_beat_ns = now_ns;
     visit->peer->send(message);

@@ -7,15 +7,20 @@
 // Everything here runs on the lab thread; nothing waits. `poll` is called every 10 ms.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
 #include "db/store.hpp"
 #include "lab/authority.hpp"
+#include "lab/backup_copy.hpp"
 #include "lab/beats.hpp"
 #include "lab/clock.hpp"
 #include "lab/configuration.hpp"
@@ -41,6 +46,9 @@ namespace cnclab::lab {
 struct Inheritance {
   Epoch newest_epoch{};               ///< AUTH-002: numbers only grow, over restarts too
   machine::MachineData machine_data;  ///< the lab machine's
+  std::string tools;                  ///< the lab machine's tool list as a tape with P0000, empty: none (DEC-29)
+  std::optional<std::array<double, 3>> workpiece_mm;  ///< as the instructor set it last; else the configuration's
+  std::filesystem::path database;  ///< the file, for backups while the lab works; empty: none are made
 };
 
 class Lab {
@@ -103,7 +111,7 @@ class Lab {
   // lab_keys.cpp
   void take_key(const VisitPtr& visit, const v1::KeyEvent& event);
   void take_potentiometer(const VisitPtr& visit, const v1::Potentiometer& turn);
-  void take_input(const DeskPtr& desk, Input input);
+  void take_input(const VisitPtr& visit, Input input);
   [[nodiscard]] bool take_urgent(const DeskPtr& desk, const Input& input);
   void pump(const DeskPtr& desk);
   void act(const DeskPtr& desk, const Input& input);
@@ -115,6 +123,25 @@ class Lab {
   void note(Desk& desk, const std::string& sentence);
   void save_state(const DeskPtr& desk);
 
+  // lab_versions.cpp
+  /// Behind key LABOR: an older version of an own program becomes the newest; row 18 tells (STO-005).
+  void restore_version(const DeskPtr& desk, std::uint16_t program, int version);
+  /// The control takes up what the database has of its programs.
+  void reload_programs(db::PersonId person);
+
+  // lab_keyboards.cpp
+  /// Why the person's own keys are barred but for STOP and MASCHINE HALT; nothing while they are not (AUTH-016).
+  [[nodiscard]] std::optional<std::string> bar(const Desk& desk) const;
+  void set_locked(const DeskPtr& desk, bool on);
+  void take_keyboard(const VisitPtr& console, const DeskPtr& desk);
+  void give_back(const DeskPtr& desk);
+  /// A console goes: what it typed for stops where it is the machine's, else everything stays as it is.
+  void let_go_of_keyboard(const VisitPtr& console);
+  void show_to_all(int station);
+  /// The desk whose screen this one's station shows in place of its own; nullptr: its own.
+  [[nodiscard]] DeskPtr shown_to(const Desk& desk) const;
+  [[nodiscard]] DeskPtr typed_at(const Visit& visit) const;  ///< own seat, or the keyboard taken over
+
   // lab_machine.cpp
   /// Returns the reason of a refusal, empty if none.
   std::string decide(const Event& event, language::Tongue tongue);
@@ -122,13 +149,14 @@ class Lab {
   void connect_lab_machine(LoginId login);
   void disconnect_lab_machine();
   [[nodiscard]] MachineView machine_view() const;
-  void heard(const Desk& desk, std::uint64_t beat);
+  void heard(const VisitPtr& visit, std::uint64_t beat);
   void keep_epoch();
   void record_run();
 
   // lab_screens.cpp
   void draw_due(std::int64_t now_ns);
   void draw(const DeskPtr& desk, std::int64_t now_ns);
+  void present(const DeskPtr& desk, int beeps);
   void push(const VisitPtr& visit);
   void everybody_changed();
   [[nodiscard]] panel::SideView side_view(const Desk& desk, std::int64_t now_ns) const;
@@ -148,6 +176,9 @@ class Lab {
   Authority authority_;
   std::uint64_t kept_epoch_;  ///< numbers up to this one are reserved in the database
   machine::MachineData machine_data_;
+  std::string tools_;  ///< tape text
+  std::array<double, 3> workpiece_mm_;
+  BackupCopy backup_;
   machine::SimulatedMachine machine_;
   std::shared_ptr<machine::Channel> channel_;
   RunRecorder recorder_;
@@ -155,6 +186,8 @@ class Lab {
   std::map<db::PersonId, DeskPtr> desks_;
   std::weak_ptr<Desk> lab_desk_;            ///< whose control is connected to the lab machine
   std::vector<std::weak_ptr<Desk>> hands_;  ///< raised hands in order (INS-006)
+  std::set<db::PersonId> locked_;           ///< whose keyboards are locked, wherever they sit (SEC-007)
+  int shown_station_ = 0;                   ///< whose screen all see, 0 nobody's (INS-002)
   std::uint64_t logins_ = 0;
   std::vector<db::JournalEntry> journal_;
   std::int64_t journal_flushed_ns_ = 0;

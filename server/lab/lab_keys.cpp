@@ -28,8 +28,7 @@ bool is_start_command(const Input& input) {
 }  // namespace
 
 void Lab::take_key(const VisitPtr& visit, const v1::KeyEvent& event) {
-  const DeskPtr desk = visit->desk;
-  if (!desk) return hang_up(visit, "keys without a seat");
+  if (!visit->desk && visit->stage != Stage::at_console) return hang_up(visit, "keys without a seat");
   Input input;
   input.number = event.number();
   input.pressed = event.pressed();
@@ -41,34 +40,41 @@ void Lab::take_key(const VisitPtr& visit, const v1::KeyEvent& event) {
     if (key < 1 || key > kKeys) return hang_up(visit, "unknown key");
     input.keys.push_back(static_cast<Key>(key));
   }
-  if (input.number != desk->received + 1) return hang_up(visit, "key numbers out of order");
-  take_input(desk, std::move(input));
+  take_input(visit, std::move(input));
 }
 
 void Lab::take_potentiometer(const VisitPtr& visit, const v1::Potentiometer& turn) {
-  const DeskPtr desk = visit->desk;
-  if (!desk) return hang_up(visit, "potentiometer without a seat");
+  if (!visit->desk && visit->stage != Stage::at_console) return hang_up(visit, "potentiometer without a seat");
   if (turn.percent() > 100) return hang_up(visit, "potentiometer above 100 %");
-  if (turn.number() != desk->received + 1) return hang_up(visit, "key numbers out of order");
   Input input;
   input.number = turn.number();
   input.percent = static_cast<int>(turn.percent());
   input.beat = turn.seen().beat();
   input.state = turn.seen().state();
-  take_input(desk, std::move(input));
+  take_input(visit, std::move(input));
 }
 
-void Lab::take_input(const DeskPtr& desk, Input input) {
-  desk->received = input.number;
-  heard(*desk, input.beat);
+void Lab::take_input(const VisitPtr& visit, Input input) {
+  const bool by_console = visit->desk == nullptr;
+  std::uint64_t& received = by_console ? visit->received : visit->desk->received;
+  if (input.number != received + 1) return hang_up(visit, "key numbers out of order");
+  received = input.number;
+  heard(visit, input.beat);
+  const DeskPtr desk = typed_at(*visit);
+  if (!desk) return;  // the keyboard was given back while the key was on its way
+  if (by_console) input.number = 0;
   if (input.pressed && !input.keys.empty() && !input.is_repeat) {
     desk->last_key = std::string(name_of(input.keys.front()));
-    write_journal("key", desk->last_key, desk->station, desk->person.name);
+    write_journal("key", by_console ? desk->last_key + " (" + visit->person.name + ")" : desk->last_key, desk->station,
+                  desk->person.name);
   }
-  if (!take_urgent(desk, input)) {
+  if (take_urgent(desk, input)) {
+    // Acts whatever else holds.
+  } else if (const auto why = bar(*desk); why && !by_console && (input.pressed || input.keys.empty())) {
+    note(*desk, *why);
+  } else {
     if (desk->waiting.size() >= kMostWaiting) {
-      if (const VisitPtr visit = desk->visit.lock()) hang_up(visit, "too many keys waiting");
-      return;
+      return hang_up(visit, "too many keys waiting");
     }
     desk->waiting.push_back(std::move(input));
   }

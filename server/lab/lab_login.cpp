@@ -297,6 +297,7 @@ void Lab::sit_down(const VisitPtr& visit, const DeskPtr& desk, int station) {
       [id = desk->person.id, time = clock_.unix_ms()](db::Database& database) { database.set_last_seen(id, time); },
       [](const std::expected<void, db::StoreError>&) {});
   static_cast<void>(decide(LoggedIn{station, desk->login}, tongue_of(desk->person)));
+  set_locked(desk, locked_.contains(desk->person.id));
   everybody_changed();
 }
 
@@ -317,6 +318,7 @@ void Lab::vacate(const VisitPtr& visit, const std::string& why) {
   desk->waiting.clear();
   desk->keep_until_ns = clock_.monotonic_ns() + configuration_.keep_minutes * 60'000'000'000LL;
   write_journal("left", why, desk->station, desk->person.name);
+  if (desk->station == shown_station_) show_to_all(0);
   save_state(desk);
   std::erase_if(hands_, [&](const auto& hand) { return hand.lock() == desk; });
   everybody_changed();

@@ -1,6 +1,7 @@
 // The lab's machine: what authority decides is carried out here, in its order.
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "lab/lab.hpp"
@@ -119,9 +120,16 @@ MachineView Lab::machine_view() const {
   return view;
 }
 
-void Lab::heard(const Desk& desk, std::uint64_t beat) {
-  if (const auto sent_ns = beats_.sent_ns(beat))
-    static_cast<void>(decide(Heard{desk.login, *sent_ns}, configuration_.tongue));
+void Lab::heard(const VisitPtr& visit, std::uint64_t beat) {
+  const DeskPtr desk = typed_at(*visit);
+  const auto sent_ns = beats_.sent_ns(beat);
+  if (!desk || !sent_ns) return;
+  std::int64_t& own_ns = visit->desk ? desk->station_beat_ns : desk->console_beat_ns;
+  own_ns = std::max(own_ns, *sent_ns);
+  // Where a console types, both must live: at the station STOP is pressed by whoever stands at the machine (AUTH-016).
+  const std::int64_t oldest_ns =
+      desk->taken_by.empty() ? desk->station_beat_ns : std::min(desk->station_beat_ns, desk->console_beat_ns);
+  static_cast<void>(decide(Heard{desk->login, oldest_ns}, configuration_.tongue));
 }
 
 void Lab::keep_epoch() {

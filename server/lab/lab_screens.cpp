@@ -9,7 +9,8 @@ namespace cnclab::lab {
 
 namespace {
 constexpr std::int64_t kRefresh_ns = 50'000'000;
-}
+constexpr std::size_t kMostErrors = 99;
+}  // namespace
 
 void Lab::draw_due(std::int64_t now_ns) {
   const int second = wall_clock(clock_.unix_ms()).second;
@@ -30,20 +31,36 @@ void Lab::draw(const DeskPtr& desk, std::int64_t now_ns) {
   desk->is_dirty = false;
   desk->last_drawn_ns = now_ns;
   note_situation(*desk);
-  View view{desk->control.draw(now(*desk), side_view(*desk, now_ns)), desk->handled(), desk->state,
-            desk->control.alarm_tone()};
-  if (desk->labor_open) draw_labor_menu(view.screen, tongue_of(desk->person));
-  const int beeps = desk->control.take_beeps();
-  if (const VisitPtr visit = desk->visit.lock()) {
-    visit->feed.offer(view, beeps);
-    push(visit);
-  }
-  view.handled_key = 0;
+  desk->view = View{desk->control.draw(now(*desk), side_view(*desk, now_ns)), desk->handled(), desk->state,
+                    desk->control.alarm_tone()};
+  if (desk->labor_open) draw_labor_menu(desk->view.screen, tongue_of(desk->person));
+  present(desk, desk->control.take_beeps());
+  if (desk->station == shown_station_)
+    for (const auto& [id, other] : desks_)
+      if (other != desk) present(other, 0);
+  View seen = desk->view;
+  seen.handled_key = 0;
   for (const VisitPtr& visit : visits_) {
-    if (visit->stage != Stage::looking_on || visit->watched_station != desk->station) continue;
-    visit->feed.offer(view, 0);
+    if (visit->stage != Stage::looking_on && visit->stage != Stage::at_console) continue;
+    if (visit->watched_station != desk->station) continue;
+    visit->feed.offer(seen, 0);
     push(visit);
   }
+}
+
+void Lab::present(const DeskPtr& desk, int beeps) {
+  const VisitPtr visit = desk->visit.lock();
+  if (!visit) return;
+  View view = desk->view;
+  if (const DeskPtr shown = shown_to(*desk)) {
+    view.screen = shown->view.screen;
+    const auto tongue = tongue_of(desk->person);
+    const std::string who = say(tongue, " Platz ", " Station ") + std::to_string(shown->station) + ", " +
+                            shown->person.name + say(tongue, ", wird allen gezeigt ", ", is shown to all ");
+    view.screen.write(0, 2, who, Attribute::inverse);
+  }
+  visit->feed.offer(view, beeps);
+  push(visit);
 }
 
 void Lab::push(const VisitPtr& visit) {
@@ -68,7 +85,7 @@ panel::SideView Lab::side_view(const Desk& desk, std::int64_t now_ns) const {
   side.halted_by = authority_.halted_by();
   const auto hand = std::ranges::find_if(hands_, [&](const auto& raised) { return raised.lock().get() == &desk; });
   if (hand != hands_.end()) side.meldung = static_cast<int>(hand - hands_.begin()) + 1;
-  side.notice = desk.notice_until_ns > now_ns ? desk.notice : std::string();
+  side.notice = desk.notice_until_ns > now_ns ? desk.notice : bar(desk).value_or("");
   if (desk.login != kNoLogin && authority_.asked() == desk.login)
     side.notice = say(tongue_of(desk.person), "Die Lehrkraft bietet die Maschine an: START nimmt an, STOP lehnt ab.",
                       "The instructor offers the machine: START accepts, STOP declines.");
@@ -86,6 +103,8 @@ panel::Now Lab::now(const Desk& desk) const {
 void Lab::note_situation(Desk& desk) {
   const panel::Situation situation = desk.control.situation();
   if (situation == desk.situation && desk.on_lab_machine == desk.situation_on_lab) return;
+  if (situation.alarm && !desk.situation.alarm) desk.errors_ns.push_back(clock_.monotonic_ns());
+  if (desk.errors_ns.size() > kMostErrors) desk.errors_ns.pop_front();
   desk.situation = situation;
   desk.situation_on_lab = desk.on_lab_machine;
   ++desk.state;

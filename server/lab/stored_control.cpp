@@ -57,6 +57,12 @@ struct CarryOut {
     for (const auto& form : machine::datum_forms())
       database.put_machine_datum(person, stored_datum(form.number, put.data.get(form.number)), author);
   }
+  void operator()(const panel::EraseMemory& all) const {
+    database.transaction([&] {
+      (*this)(panel::RemovePrograms{all.programs});
+      (*this)(panel::PutMachineData{all.data});
+    });
+  }
 };
 
 }  // namespace
@@ -74,6 +80,13 @@ panel::Memory memory_of(const std::vector<db::StoredProgram>& programs, int memo
     memory.put_program(std::move(program));
   }
   return memory;
+}
+
+int used_bytes(const panel::Memory& memory) {
+  int bytes = 0;
+  for (const language::Program& program : memory.programs())
+    for (const language::Block& block : program.blocks) bytes += language::cost_bytes(block);
+  return bytes;
 }
 
 machine::MachineData machine_data_of(const std::vector<db::StoredDatum>& data) {

@@ -23,6 +23,9 @@ struct StoredControl {
 /// Blocks whose check code does not fit, or whose text is no block, are kept and marked as damaged (STO-003).
 [[nodiscard]] panel::Memory memory_of(const std::vector<db::StoredProgram>& programs, int memory_bytes);
 
+/// What the programs take of the memory, whether it is that large or not.
+[[nodiscard]] int used_bytes(const panel::Memory& memory);
+
 /// Machine data whose check code does not fit have their standard value (ERR-014).
 [[nodiscard]] machine::MachineData machine_data_of(const std::vector<db::StoredDatum>& data);
 

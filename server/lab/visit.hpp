@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <istream>
 #include <memory>
 #include <optional>
 #include <string>
@@ -33,17 +34,20 @@ struct Visit {
   Stage stage = Stage::greeting;
   v1::ClientKind kind = v1::CLIENT_KIND_UNSPECIFIED;
   std::int64_t opened_ns = 0, heard_ns = 0, last_beat_ns = 0;
-  db::Person person;           ///< from a correct password on
-  v1::Login login;             ///< what was asked for; the password is wiped once it is compared
-  std::shared_ptr<Desk> desk;  ///< at_desk
-  int watched_station = 0;     ///< looking_on
+  db::Person person;             ///< from a correct password on
+  v1::Login login;               ///< what was asked for; the password is wiped once it is compared
+  std::shared_ptr<Desk> desk;    ///< at_desk
+  int watched_station = 0;       ///< looking_on, at_console: whose screen is shown here, 0 nobody's
+  std::weak_ptr<Desk> keyboard;  ///< at_console: whose keyboard it has taken over
+  std::uint64_t received = 0;    ///< at_console: number of the last key that came
   ScreenFeed feed;
 
   /// A file on its way to a console, chunk by chunk (bulk.proto).
   struct Transfer {
     std::uint32_t number = 0;
-    std::string content;
-    std::size_t sent = 0;
+    std::shared_ptr<std::istream> content;
+    std::uint64_t size = 0;
+    std::uint64_t sent = 0;
   };
   std::optional<Transfer> transfer;
   std::uint32_t transfers = 0;

@@ -68,21 +68,55 @@ constexpr AddressSet set_of_words(const BlockForm& form) {
   return set;
 }
 
-constexpr auto make_form_sets() {
-  std::array<AddressSet, std::size(kForms)> sets{};
-  for (std::size_t i = 0; i < std::size(kForms); ++i) sets[i] = set_of_words(kForms[i]);
+constexpr AddressSet set_of_required_words(const BlockForm& form) {
+  AddressSet set = 0;
+  switch (form.needed) {
+    case Needed::all:
+      return set_of_words(form);
+    case Needed::two_axes_and_radius:
+      for (const Address address : form.words.first(3)) set |= bit_of(address);  // they stand first in every plane
+      return set;
+    case Needed::cycle:
+      for (const Address address : form.required_words) set |= bit_of(address);
+      return set;
+    case Needed::nothing:
+    case Needed::any_axis:
+    case Needed::any_word:
+      return set;
+  }
+  return set;
+}
+
+using FormSets = std::array<AddressSet, std::size(kForms)>;
+
+template <typename SetOf>
+constexpr FormSets make_form_sets(SetOf set_of) {
+  FormSets sets{};
+  for (std::size_t i = 0; i < std::size(kForms); ++i) sets[i] = set_of(kForms[i]);
   return sets;
 }
-constexpr auto kFormSets = make_form_sets();
+constexpr FormSets kFormSets = make_form_sets(set_of_words);
+constexpr FormSets kRequiredSets = make_form_sets(set_of_required_words);
+
+/// The addresses of a function in all its planes, by kind and code.
+using FunctionSets = std::array<std::array<AddressSet, kCodes>, 2>;
+
+constexpr FunctionSets make_any_plane_sets() {
+  FunctionSets sets{};
+  for (const BlockForm& form : kForms)
+    if (form.function.kind != Kind::tool)
+      sets[static_cast<std::size_t>(form.function.kind)][form.function.code] |= set_of_words(form);
+  return sets;
+}
+constexpr FunctionSets kAnyPlaneSets = make_any_plane_sets();
 
 /// No function has more words than a block has room for, not even with those of all its planes.
 constexpr bool blocks_hold_all_words() {
-  for (const BlockForm& form : kForms) {
-    AddressSet set = 0;
-    for (const BlockForm& other : kForms)
-      if (other.function == form.function) set |= set_of_words(other);
-    if (form.words.size() > kMostWords || static_cast<std::size_t>(std::popcount(set)) > kMostWords) return false;
-  }
+  for (const BlockForm& form : kForms)
+    if (form.words.size() > kMostWords) return false;
+  for (const auto& sets : kAnyPlaneSets)
+    for (const AddressSet set : sets)
+      if (static_cast<std::size_t>(std::popcount(set)) > kMostWords) return false;
   return true;
 }
 static_assert(blocks_hold_all_words());
@@ -110,11 +144,14 @@ bool is_plane_dependent(Function function) {
 
 AddressSet addresses_of(const BlockForm& form) { return kFormSets[static_cast<std::size_t>(&form - kForms)]; }
 
+AddressSet required_addresses_of(const BlockForm& form) {
+  return kRequiredSets[static_cast<std::size_t>(&form - kForms)];
+}
+
 AddressSet addresses_in_any_plane(Function function) {
-  AddressSet set = 0;
-  for (const Plane plane : kAllPlanes)
-    if (const BlockForm* form = form_at(function, plane)) set |= addresses_of(*form);
-  return set;
+  if (function.kind == Kind::tool) return kFormSets[kToolForm];
+  if (function.code >= kCodes) return 0;
+  return kAnyPlaneSets[static_cast<std::size_t>(function.kind)][function.code];
 }
 
 Plane plane_of_words(Function function, AddressSet words, Plane fallback) {
@@ -132,6 +169,14 @@ Plane plane_of_words(const Block& block, Plane fallback) {
   AddressSet words = 0;
   for (const Word& word : block.words) words |= bit_of(word.address);
   return plane_of_words(block.function, words, fallback);
+}
+
+Plane plane_behind(const Block& block, Plane before) {
+  if (block.function.kind != Kind::g) return before;
+  if (block.function.code == 17) return Plane::xy;
+  if (block.function.code == 18) return Plane::xz;
+  if (block.function.code == 19) return Plane::yz;
+  return before;
 }
 
 bool is_known_m(std::int64_t code) {

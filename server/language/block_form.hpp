@@ -68,12 +68,18 @@ struct Vocabulary {
 /// The plane whose form fits the words that a block has (a tape does not say it); `fallback` where several fit.
 [[nodiscard]] Plane plane_of_words(const Block& block, Plane fallback);
 
+/// The plane in force behind a block: that of G17, G18, G19, else as before.
+[[nodiscard]] Plane plane_behind(const Block& block, Plane before);
+
 /// A set of addresses, one bit for each character from '#' to 'Z'.
 using AddressSet = std::uint64_t;
 [[nodiscard]] constexpr AddressSet bit_of(Address address) { return AddressSet{1} << (letter(address) - '#'); }
 
 /// The addresses that a form has; `form` must come from find_form or all_forms.
 [[nodiscard]] AddressSet addresses_of(const BlockForm& form);
+
+/// Those of them that every block of the form needs (D-45).
+[[nodiscard]] AddressSet required_addresses_of(const BlockForm& form);
 
 /// The addresses that a function has in one plane or another; none where the function does not exist.
 [[nodiscard]] AddressSet addresses_in_any_plane(Function function);

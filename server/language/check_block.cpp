@@ -32,44 +32,45 @@ std::string function_text(Function function) {
   return text;
 }
 
-bool is_needed(const BlockForm& form, std::size_t place) {
-  switch (form.needed) {
-    case Needed::all:
-      return true;
-    case Needed::two_axes_and_radius:
-      return place < 3;  // they stand first in every plane
-    case Needed::cycle:
-      return std::ranges::find(form.required_words, form.words[place]) != form.required_words.end();
-    case Needed::nothing:
-    case Needed::any_axis:
-    case Needed::any_word:
-      return false;
+struct Range {
+  std::int64_t least = 0, most = 0;
+  [[nodiscard]] bool holds(std::int64_t value) const { return value >= least && value <= most; }
+};
+
+/// The largest size that the machine data allow (D-46); the format's where only that limits.
+std::int64_t machine_limit(const Block& block, Address address, std::int64_t most, const EntryLimits& limits) {
+  switch (address) {
+    case Address::F:
+      return std::min(most, limits.f_max);
+    case Address::S:
+      return std::min(most, limits.s_max);
+    case Address::X:
+    case Address::I:
+      return is_g(block, 75) ? most : std::min(most, limits.x.value);  // factors are no ways
+    case Address::Y:
+    case Address::J:
+      return is_g(block, 75) ? most : std::min(most, limits.y.value);
+    case Address::Z:
+    case Address::K:
+    case Address::Q:
+      return is_g(block, 75) ? most : std::min(most, limits.z.value);
+    default:
+      return most;
   }
-  return false;
 }
 
-/// The largest size that the machine data allow (D-46); nothing where only the format limits.
-std::optional<std::int64_t> machine_limit(const Block& block, Address address, const EntryLimits& limits) {
-  if (address == Address::F) return limits.f_max;
-  if (address == Address::S) return limits.s_max;
-  if (is_g(block, 75)) return std::nullopt;  // factors are no ways
-  if (address == Address::X || address == Address::I) return limits.x.value;
-  if (address == Address::Y || address == Address::J) return limits.y.value;
-  if (address == Address::Z || address == Address::K || address == Address::Q) return limits.z.value;
-  return std::nullopt;
-}
-
-/// The word's format with the limits that hold for this block.
-WordFormat allowed_format(const Block& block, const Word& word, const EntryLimits* limits) {
-  WordFormat format = format_of(word.address);
-  if (word.address == Address::H && (is_g(block, 4) || is_g(block, 64))) format.least = 1;          // BLK-013, DEC-53
-  if (word.address == Address::R && block.function.kind == Function::Kind::tool) format.least = 0;  // D-50
-  const auto most = limits == nullptr ? std::nullopt : machine_limit(block, word.address, *limits);
-  if (most) {
-    format.most = std::min(format.most, *most);
-    if (format.least < 0) format.least = -format.most;
+/// The word's range as its format, its function and the machine data have it.
+Range allowed_range(const Block& block, Address address, const EntryLimits* limits) {
+  const WordFormat& format = format_of(address);
+  Range range{format.least, format.most};
+  if (limits != nullptr) {
+    range.most = machine_limit(block, address, format.most, *limits);
+    if (range.least < 0) range.least = -range.most;
   }
-  return format;
+  if (address == Address::H && (is_g(block, 4) || is_g(block, 64))) range.least = 1;          // BLK-013, DEC-53
+  if (address == Address::R && block.function.kind == Function::Kind::tool) range.least = 0;  // D-50
+  if (address == Address::R && is_g(block, 10)) range.least = 1;                              // a radius to round with
+  return range;
 }
 
 /// What a cycle needs of a word's value.
@@ -89,7 +90,7 @@ constexpr CycleRule kCycleRules[] = {
 
 std::string_view expected_in_cycle(int cycle, const Word& word) {
   for (const CycleRule& rule : kCycleRules) {
-    if (cycle < rule.first || cycle > rule.last || word.address != rule.address) continue;
+    if (word.address != rule.address || cycle < rule.first || cycle > rule.last) continue;
     if (rule.is_negative ? word.number >= 0 : word.number <= 0) return rule.expected;
   }
   return {};
@@ -125,10 +126,13 @@ Check check_parameter(const Block& block, const Word& word, const Vocabulary& vo
   return {};
 }
 
-Check check_value(const Block& block, const Word& word, const EntryLimits* limits) {
-  const WordFormat format = allowed_format(block, word, limits);
-  if (word.number < format.least || word.number > format.most)
+Check check_value(const Block& block, const Word& word, const Range& range) {
+  if (!range.holds(word.number)) {
+    WordFormat format = format_of(word.address);
+    format.least = range.least;
+    format.most = range.most;
     return fault(block, ErrorCode::word_out_of_range, letter(word.address), value_text(word), range_text(format));
+  }
   if (word.address == Address::M && !is_known_m(word.number))
     return fault(block, ErrorCode::m_unknown, 'M', value_text(word));
   return {};
@@ -141,11 +145,31 @@ Check check_target(const Block& block) {
   return fault(block, ErrorCode::parameter_read_only, '#', '#' + value_text(target), "#00..#63, #69");
 }
 
+/// A target among the programs of the cycles can be neither jumped to nor called (DEC-64).
+Check check_program_target(const Block& block, const Word& word) {
+  if (word.address != Address::P || !is_reserved_for_cycles(word.number)) return {};
+  return fault(block, ErrorCode::reserved_for_cycles, 'P', 'P' + value_text(word));
+}
+
 Check check_word(const Block& block, const BlockForm& form, const Word& word, const Vocabulary& vocabulary,
                  const EntryLimits* limits) {
-  const Check value = word.is_parameter ? check_parameter(block, word, vocabulary) : check_value(block, word, limits);
-  if (!value || form.needed != Needed::cycle) return value;
-  return check_cycle_word(block, word);
+  if (word.is_parameter) return check_parameter(block, word, vocabulary);
+  if (Check value = check_value(block, word, allowed_range(block, word.address, limits)); !value) return value;
+  if (form.needed == Needed::cycle) return check_cycle_word(block, word);
+  return check_program_target(block, word);
+}
+
+/// No rule of its cycle speaks against the value. The two ways of a slot are judged together, see `check_slot`.
+bool is_plainly_right_in_cycle(const Block& block, const Word& word) {
+  return expected_in_cycle(block.function.code, word).empty() && !(word.address == Address::Y && is_g(block, 84));
+}
+
+/// The same answer for nearly every word that a program executes, in a few nanoseconds: nothing is wrong with it.
+bool is_plainly_right(const Block& block, const BlockForm& form, const Word& word, const EntryLimits* limits) {
+  return !word.is_parameter && word.address != Address::P &&
+         allowed_range(block, word.address, limits).holds(word.number) &&
+         (word.address != Address::M || is_known_m(word.number)) &&
+         (form.needed != Needed::cycle || is_plainly_right_in_cycle(block, word));
 }
 
 /// Operands have one address for all of them, so they are taken by their place.
@@ -153,57 +177,84 @@ Check check_operands(const Block& block, const BlockForm& form, const Vocabulary
   for (std::size_t i = 0; i < form.words.size(); ++i) {
     if (i >= block.words.size() || block.words[i].address != form.words[i])
       return fault(block, ErrorCode::word_missing, letter(form.words[i]));
-    if (const Check word = check_word(block, form, block.words[i], vocabulary, nullptr); !word) return word;
-    if (const Check target = check_target(block); !target) return target;
+    if (!is_plainly_right(block, form, block.words[i], nullptr))
+      if (Check word = check_word(block, form, block.words[i], vocabulary, nullptr); !word) return word;
   }
   if (block.words.size() > form.words.size())
     return fault(block, ErrorCode::word_not_allowed, letter(block.words[form.words.size()].address));
-  return {};
+  return check_target(block);
 }
 
-Check check_present(const Block& block, const BlockForm& form) {
-  for (std::size_t i = 0; i < block.words.size(); ++i) {
-    const Address address = block.words[i].address;
-    const bool is_twice = &block.words[i] != block.find(address);
-    if (is_twice || std::ranges::find(form.words, address) == form.words.end())
-      return fault(block, ErrorCode::word_not_allowed, letter(address));
+/// The addresses of a block's words.
+struct Found {
+  AddressSet set = 0;
+  bool has_one_twice = false;
+};
+
+Found found_in(const Block& block) {
+  Found found;
+  for (const Word& word : block.words) {
+    const AddressSet bit = bit_of(word.address);
+    found.has_one_twice |= (found.set & bit) != 0;
+    found.set |= bit;
   }
-  const bool has_axis =
-      block.find(Address::X) != nullptr || block.find(Address::Y) != nullptr || block.find(Address::Z) != nullptr;
-  if ((form.needed == Needed::any_axis && !has_axis) || (form.needed == Needed::any_word && block.words.empty()))
-    return fault(block, ErrorCode::word_missing, letter(form.words.front()));
+  return found;
+}
+
+/// A word that the form does not have, or has once only.
+Check refuse_foreign_word(const Block& block, AddressSet allowed) {
+  AddressSet seen = 0;
+  for (const Word& word : block.words) {
+    const AddressSet bit = bit_of(word.address);
+    if ((bit & allowed & ~seen) == 0) return fault(block, ErrorCode::word_not_allowed, letter(word.address));
+    seen |= bit;
+  }
   return {};
 }
 
-Check check_words(const Block& block, const BlockForm& form, const Vocabulary& vocabulary, const EntryLimits* limits) {
-  for (std::size_t i = 0; i < form.words.size(); ++i) {
-    const Word* word = block.find(form.words[i]);
-    if (word == nullptr) {
-      if (is_needed(form, i)) return fault(block, ErrorCode::word_missing, letter(form.words[i]));
+/// One word of several is enough (D-45).
+bool has_any_needed(const BlockForm& form, AddressSet found) {
+  constexpr AddressSet kAxes = bit_of(Address::X) | bit_of(Address::Y) | bit_of(Address::Z);
+  if (form.needed == Needed::any_axis) return (found & kAxes) != 0;
+  return form.needed != Needed::any_word || found != 0;
+}
+
+Check check_words(const Block& block, const BlockForm& form, const Found& found, const Vocabulary& vocabulary,
+                  const EntryLimits* limits) {
+  const AddressSet required = required_addresses_of(form);
+  std::size_t next = 0;  // words nearly always have the order of their form
+  for (const Address address : form.words) {
+    if ((found.set & bit_of(address)) == 0) {
+      if ((required & bit_of(address)) != 0) return fault(block, ErrorCode::word_missing, letter(address));
       continue;
     }
-    if (const Check checked = check_word(block, form, *word, vocabulary, limits); !checked) return checked;
+    const Word& word = block.words[next].address == address ? block.words[next] : *block.find(address);
+    ++next;
+    if (is_plainly_right(block, form, word, limits)) continue;
+    if (Check checked = check_word(block, form, word, vocabulary, limits); !checked) return checked;
   }
-  return check_present(block, form);
+  const AddressSet allowed = addresses_of(form);
+  if (found.has_one_twice || (found.set & ~allowed) != 0) return refuse_foreign_word(block, allowed);
+  if (!has_any_needed(form, found.set)) return fault(block, ErrorCode::word_missing, letter(form.words.front()));
+  return {};
 }
 
 }  // namespace
 
 std::expected<void, Error> check_block(const Block& block, Plane plane, const Vocabulary& vocabulary,
                                        const EntryLimits* limits) {
-  const BlockForm* form = find_form(block.function, plane_of_words(block, plane), vocabulary);
+  const Found found = found_in(block);
+  const BlockForm* form = find_form(block.function, plane_of_words(block.function, found.set, plane), vocabulary);
   if (form == nullptr) return fault(block, ErrorCode::function_unknown, 'G', function_text(block.function));
   if ((addresses_of(*form) & bit_of(Address::operand)) != 0) return check_operands(block, *form, vocabulary);
-  return check_words(block, *form, vocabulary, limits);
+  return check_words(block, *form, found, vocabulary, limits);
 }
 
 std::vector<Error> check_program(const Program& program, const Vocabulary& vocabulary, const EntryLimits* limits) {
   std::vector<Error> errors;
   Plane plane = Plane::xy;
   for (const Block& block : program.blocks) {
-    if (is_g(block, 17)) plane = Plane::xy;
-    if (is_g(block, 18)) plane = Plane::xz;
-    if (is_g(block, 19)) plane = Plane::yz;
+    plane = plane_behind(block, plane);
     auto checked = check_block(block, plane, vocabulary, limits);
     if (checked) continue;
     checked.error().program = program.number;

@@ -30,6 +30,7 @@ enum class ErrorCode : std::uint8_t {
   no_intersection,          ///< the same: the paths of two elements do not meet at an inside corner (D-71)
   runs_backwards,           ///< the same: an element would be run against its direction (DEC-09)
   too_close,                ///< the same: the path cuts into another block's element, `detail` names it (DEC-09)
+  contour_unchecked,        ///< the same: on the lab machine a contour that depends on Input 1 (DEC-09)
   rounding_without_lines,   ///< Kreis falsch: G10 not between two lines of the plane (D-66)
   rounding_too_large,       ///< Kreis falsch: the radius of G10 does not fit into both lines (D-66)
   scale_not_allowed,        ///< Skalenfaktor unzulaessig (D-68)
@@ -43,6 +44,7 @@ enum class ErrorCode : std::uint8_t {
   travel_exceeded,          ///< the lab machine's travel (DEC-27, AUTH-011)
   block_number_wrong,       ///< outside 001..999, twice, or no room behind N999 (D-47)
   program_number_wrong,     ///< outside 0000..9999
+  program_empty,            ///< a number and no block behind it (tape, files)
   text_malformed,           ///< a character or number that is no word (tape, files)
   machine_datum_wrong,      ///< a recording's machine data: not N03=500000 (DEC-62)
   lower_case,               ///< a file with small letters outside comments (DEC-30)

@@ -17,7 +17,7 @@ void ProgramCollector::close() {
   if (is_open_) {
     const bool is_reserved = is_reserved_for_cycles(number_);
     if (blocks_.empty() && !is_bad_)
-      add_error({.code = ErrorCode::transfer_wrong, .expected = std::string(head_example()), .line = line_of_program_});
+      add_error({.code = ErrorCode::program_empty, .expected = std::string(head_example()), .line = line_of_program_});
     if (is_reserved && tape_.notices.size() < kMostErrors)
       tape_.notices.push_back(explain({.code = ErrorCode::reserved_for_cycles, .program = number_}, tongue_));
     if (!is_reserved && !is_bad_) keep();

@@ -107,6 +107,8 @@ std::uint64_t Channel::drain_trace(std::vector<TracePoint>& out) {
   return lost - std::exchange(impl_->trace_lost_seen, lost);
 }
 
+void Channel::feed_cuts(CutFeed* feed) { impl_->mail.cuts.store(feed, std::memory_order_release); }
+
 void Channel::tick(std::int64_t now_ns, double tick_s) noexcept { impl_->ticker.tick(now_ns, tick_s); }
 
 }  // namespace cnclab::machine

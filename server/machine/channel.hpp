@@ -162,6 +162,8 @@ struct TracePoint {
   geometry::SourceBlock source;
 };
 
+struct CutFeed;
+
 class Channel {
  public:
   /// machine   outlives the channel; has seen no tick yet
@@ -203,6 +205,11 @@ class Channel {
   void record_trace(bool on);
   /// Appends what was traced since the last call; returns ticks that were lost because nobody drained in time.
   std::uint64_t drain_trace(std::vector<TracePoint>& out);
+
+  /// From now on the tool's way is pushed into this feed, in programs and by hand; nullptr: no longer. What does not
+  /// fit is dropped and counted there. Change it only while the tick does not run, or to a feed that outlives the
+  /// channel.
+  void feed_cuts(CutFeed* feed);
 
   // --- tick side ----------------------------------------------------------------------------------------------
   /// One tick of `tick_s` at `now_ns` (monotonic). Allocates, locks and waits for nothing.

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "machine/channel.hpp"
+#include "machine/milling.hpp"
 #include "machine/seqlock.hpp"
 #include "machine/spsc_ring.hpp"
 
@@ -54,6 +55,7 @@ struct Mailbox {
   std::atomic<StopCause> revoke_cause{StopCause::lease_ended};
   std::atomic<bool> trace_on{false};
   std::atomic<TraceRing*> trace{nullptr};
+  std::atomic<CutFeed*> cuts{nullptr};
   // tick to lab
   SeqLock<Snapshot> snapshot;
   std::atomic<std::uint64_t> trace_lost{0};

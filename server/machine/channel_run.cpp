@@ -38,7 +38,7 @@ void ChannelTick::run_tick(double tick_s, const motion::Demand& demand) noexcept
     const motion::Segment& event = *follower_.current();
     source_ = event.item.source;
     sequence_ = event.item.sequence;
-    if (!execute(event)) return;
+    if (!is_void(event) && !execute(event)) return;
     pass_event();
   }
 }
@@ -114,6 +114,18 @@ void ChannelTick::set_output(const geometry::Output& output) noexcept {
   lines = static_cast<std::uint8_t>(output.on ? lines | mask : lines & ~mask);
 }
 
+/// A run that brakes to be abandoned may still pass events, but nothing becomes active by it any more (AUTH-009).
+bool ChannelTick::is_void(const motion::Segment& event) const noexcept {
+  if (!abandon_at_rest_) return false;
+  if (const auto* spindle = std::get_if<geometry::Spindle>(&event.item.what)) {
+    return spindle->turn != geometry::SpindleTurn::off;
+  }
+  if (const auto* coolant = std::get_if<geometry::Coolant>(&event.item.what)) return coolant->on;
+  if (const auto* output = std::get_if<geometry::Output>(&event.item.what)) return output->on;
+  return std::holds_alternative<geometry::SpindleDigits>(event.item.what) ||
+         std::holds_alternative<geometry::Signal>(event.item.what);
+}
+
 /// True when the event is done and the path goes on; false when the program waits, ends or the tick is over.
 bool ChannelTick::execute(const motion::Segment& event) noexcept {
   const auto wait_for = [this](Waiting waiting) {
@@ -170,7 +182,10 @@ bool ChannelTick::execute(const motion::Segment& event) noexcept {
                           come_to_rest(StopCause::program_end);
                           return false;
                         },
-                        [](const geometry::ToolChange&) { return true; },
+                        [&](const geometry::ToolChange& tool) {
+                          tool_ = {tool.radius_mm, tool.length_mm};
+                          return true;
+                        },
                         [](const geometry::Mark&) { return true; },
                         [](const geometry::RadiusOffset&) { return true; },
                         [](const geometry::LengthOffset&) { return true; },

@@ -22,6 +22,7 @@ void ChannelTick::tick(std::int64_t now_ns, double tick_s) noexcept {
   move(tick_s);
   if (activity_before_ == Activity::run) note_block_start();
   send(before);
+  show_tool();
   report();
 }
 
@@ -149,6 +150,34 @@ void ChannelTick::report() noexcept {
   now.dropped = dropped_;
   trace(now);
   mail_.snapshot.store(now);
+}
+
+/// The tool's end for the workpiece, in every tick in which it moves.
+void ChannelTick::show_tool() noexcept {
+  CutFeed* feed = mail_.cuts.load(std::memory_order_acquire);
+  if (feed == nullptr) return;
+  const bool moved = outputs_.steps[0] != 0 || outputs_.steps[1] != 0 || outputs_.steps[2] != 0;
+  if (!moved && !cut_base_.is_new) return;
+  const bool by_program = activity_before_ == Activity::run;
+  ToolPoint point;
+  point.tick = tick_;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::int64_t way = counters_.steps()[i] - cut_base_.steps[i];
+    point.mm[i] = cut_base_.mm[i] + static_cast<double>(way) / counters_.per_mm(i);
+  }
+  point.mm[2] -= tool_.length_mm;
+  point.radius_mm = tool_.radius_mm;
+  if (by_program) point.source = source_;
+  point.begins_run = cut_base_.is_new;
+  point.is_rapid = by_program && follower_.is_rapid();
+  point.spindle_on = outputs_.spindle != geometry::SpindleTurn::off;
+  point.after_gap = cut_base_.has_gap;
+  cut_base_.has_gap = !feed->ring.push(point);
+  if (cut_base_.has_gap) {
+    feed->dropped.fetch_add(1, std::memory_order_relaxed);
+  } else {
+    cut_base_.is_new = false;
+  }
 }
 
 void ChannelTick::trace(const Snapshot& state) noexcept {

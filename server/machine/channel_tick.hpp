@@ -36,6 +36,7 @@ class ChannelTick {
     std::array<std::int64_t, 4> origin{};  ///< steps at path coordinate 0
     std::array<BlockStart, 4> starts{};    ///< oldest first
     std::uint8_t start_count = 0;
+    bool has_begun = false;  ///< its first START was taken
   };
 
   // channel_authority.cpp: who may, and what stops
@@ -69,6 +70,7 @@ class ChannelTick {
   // channel_run.cpp: the program's path and events
   void run_tick(double tick_s, const motion::Demand& demand) noexcept;
   [[nodiscard]] bool wait_tick(double tick_s) noexcept;
+  [[nodiscard]] bool is_void(const motion::Segment& event) const noexcept;
   [[nodiscard]] bool execute(const motion::Segment& event) noexcept;
   void pass_event() noexcept;
   void note_block_start() noexcept;
@@ -88,6 +90,7 @@ class ChannelTick {
   void send(const std::array<std::int64_t, 4>& before) noexcept;
   void report() noexcept;
   void trace(const Snapshot& state) noexcept;
+  void show_tool() noexcept;
   [[nodiscard]] MotionState motion_state() const noexcept;
   [[nodiscard]] std::array<double, 4> path_mm() const noexcept;
 
@@ -117,6 +120,18 @@ class ChannelTick {
   double speed_mm_per_s_ = 0;
   geometry::SourceBlock source_;
   std::uint64_t sequence_ = 0;
+  struct Tool {
+    double radius_mm = 0, length_mm = 0;
+  };
+  /// Whence the tool's way is counted for the workpiece: the place and its name when the program started.
+  struct CutBase {
+    std::array<std::int64_t, 4> steps{};
+    std::array<double, 3> mm{};
+    bool is_new = false;  ///< not told yet
+    bool has_gap = false;
+  };
+  Tool tool_;
+  CutBase cut_base_;
   std::array<bool, 3> referenced_{};
   std::uint8_t limit_axis_ = 0xFF;
   std::uint64_t tick_ = 0, stops_seen_ = 0, orders_ = 0, signals_ = 0, refused_ = 0, dropped_ = 0;

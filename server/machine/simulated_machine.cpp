@@ -7,29 +7,36 @@
 
 namespace cnclab::machine {
 
-SimulatedMachine::SimulatedMachine(const MachineData& data) {
+SimulatedMachine::SimulatedMachine(const MachineData& data) : travel_(travel_of(data)), seen_(travel_of(data)) {}
+
+SimulatedMachine::Travel SimulatedMachine::travel_of(const MachineData& data) {
   constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max() / 4;
+  Travel travel;
+  travel.polarity = switch_polarity(data.get(19));
   for (std::size_t axis = 0; axis < 4; ++axis) {
     const bool has_switches = axis < 3;  // no travel is given for U
     const int number = static_cast<int>(axis);
     const double half_travel_mm = has_switches ? static_cast<double>(data.get(3 + number)) / 2000 : 0;
     const auto steps_per_mm = static_cast<double>(data.get(14 + number));
     const auto steps = [&](double way_mm) { return has_switches ? std::llround(way_mm * steps_per_mm) : kNever; };
-    switch_plus_[axis] = steps(half_travel_mm);
-    end_plus_[axis] = steps(half_travel_mm + kOvertravel_mm);
-    switch_minus_[axis] = -switch_plus_[axis];
-    end_minus_[axis] = -end_plus_[axis];
+    travel.to_switch[axis] = steps(half_travel_mm);
+    travel.to_end[axis] = steps(half_travel_mm + kOvertravel_mm);
   }
+  return travel;
 }
 
 Inputs SimulatedMachine::exchange(const Outputs& outputs) noexcept {
+  if (const auto newest = travel_.try_load()) seen_ = *newest;
   Inputs inputs;
   for (std::size_t axis = 0; axis < 4; ++axis) {
     if (outputs.drives_on) {
-      position_[axis] = std::clamp(position_[axis] + outputs.steps[axis], end_minus_[axis], end_plus_[axis]);
+      const std::int64_t end = seen_.to_end[axis];
+      position_[axis] = std::clamp(position_[axis] + outputs.steps[axis], -end, end);
     }
-    inputs.limit_plus[axis] = position_[axis] >= switch_plus_[axis];
-    inputs.limit_minus[axis] = position_[axis] <= switch_minus_[axis];
+    if (axis == 3) continue;  // U has no switches
+    const bool at_plus = position_[axis] >= seen_.to_switch[axis], at_minus = position_[axis] <= -seen_.to_switch[axis];
+    inputs.limit_plus[axis] = is_damped(!at_plus, seen_.polarity);
+    inputs.limit_minus[axis] = is_damped(!at_minus, seen_.polarity);
   }
   const std::uint32_t set = inputs_.load(std::memory_order_relaxed);
   inputs.input_1 = (set & 1U) != 0;

@@ -186,6 +186,8 @@ Course Follower::course_ahead(const Segment& segment, const Demand& demand, doub
 void Follower::work_on(const geometry::PathItem& item) noexcept {
   source_ = item.source;
   sequence_ = item.sequence;
+  const auto* line = std::get_if<geometry::Line>(&item.what);
+  is_rapid_ = line != nullptr && line->is_rapid;
 }
 
 void Follower::finish_item(const geometry::PathItem& item, Advance& done) noexcept {

@@ -68,6 +68,7 @@ class Follower {
   /// The item worked on last: its block and sequence.
   [[nodiscard]] geometry::SourceBlock source() const { return source_; }
   [[nodiscard]] std::uint64_t sequence() const { return sequence_; }
+  [[nodiscard]] bool is_rapid() const { return is_rapid_; }                             ///< it is a G00
   [[nodiscard]] std::uint64_t finished_sequence() const { return finished_sequence_; }  ///< PathItem::sequence, 0 none
   /// Takes over a position while at rest (start of a run, reference run).
   void set_position(const geometry::Point& position) noexcept { position_ = position; }
@@ -114,6 +115,7 @@ class Follower {
   Search search_;
   geometry::SourceBlock source_;
   std::uint64_t sequence_ = 0;
+  bool is_rapid_ = false;
   std::uint64_t finished_sequence_ = 0;
 };
 

@@ -43,6 +43,7 @@ void Planner::restart() {
   ++run_;
   newest_motion_.reset();
   stop_between_ = true;
+  is_due_ = false;
   events_in_row_ = 0;
   first_of_run_ = unplanned_from_ = queue_.pushed();
   queue_.trim();
@@ -53,33 +54,46 @@ void Planner::restart(const Limits& limits) {
   restart();
 }
 
-/// Works out the joint between the newest motion and `segment`, and what is due behind `segment`.
-void Planner::join_to(std::uint64_t number, const Segment& segment) {
+/// The newest motion ends in a full stop, whatever is appended from here on.
+void Planner::note_full_stop() {
+  stop_between_ = true;
+  if (!newest_motion_ || *newest_motion_ < queue_.popped() || queue_.is_full_stop_noted(*newest_motion_)) return;
+  queue_.note_full_stop(*newest_motion_);
+  is_due_ = true;
+}
+
+/// Works out the joint between the newest motion and segment `number`, and what is due behind it.
+void Planner::join(std::uint64_t number) {
+  const Segment& segment = queue_.at(number);
   if (!segment.is_motion) {
-    stop_between_ = stop_between_ || segment.stops_before || ++events_in_row_ > kMostEventsInMotion;
+    if (segment.stops_before || ++events_in_row_ > kMostEventsInMotion) note_full_stop();
     return;
   }
-  const bool full_stop = stop_between_ || is_rapid(segment);
-  if (newest_motion_ && *newest_motion_ >= queue_.popped() && !full_stop) {
+  if (is_rapid(segment)) note_full_stop();
+  if (newest_motion_ && *newest_motion_ >= queue_.popped() && !stop_between_) {
     queue_.note_joint_speed(*newest_motion_, joint_speed(queue_.at(*newest_motion_), segment, limits_));
   }
   newest_motion_ = number;
   events_in_row_ = 0;
-  stop_between_ = is_rapid(segment) || segment.item.exact_stop;
+  stop_between_ = false;
+  is_due_ = true;
+  if (is_rapid(segment) || segment.item.exact_stop) note_full_stop();
 }
 
 std::expected<std::size_t, AppendError> Planner::append(const geometry::PathItem& item) {
   if (queue_.is_full()) return std::unexpected(AppendError::window_full);
-  const Segment segment = make_segment(item, run_, limits_);
-  join_to(queue_.pushed(), segment);
-  queue_.push(segment);
+  const std::uint64_t number = queue_.pushed();
+  queue_.push(make_segment(item, run_, limits_));
+  join(number);
   return queue_.waiting();
 }
 
 /// Square of the greatest speed with which a segment may be entered that is left with `exit_speed` (0: full stop).
-double Planner::entry_speed_sq(const Segment& segment, double exit_speed) const {
+double Planner::entry_speed_sq(std::uint64_t number, double exit_speed) const {
+  const Segment& segment = queue_.at(number);
   const double ramp = 2 * limits_.acceleration_mm_per_s2;
-  const double end = exit_speed > 0 ? exit_speed : limits_.start_stop_mm_per_s;
+  const bool may_jump = exit_speed <= 0 && queue_.is_full_stop_noted(number);
+  const double end = may_jump ? limits_.start_stop_mm_per_s : exit_speed;
   const double entry_sq = end * end + ramp * segment.length_mm;
   if (segment.creep_from_mm >= segment.length_mm) return entry_sq;
   const double creep = limits_.start_stop_mm_per_s / 2;
@@ -88,7 +102,8 @@ double Planner::entry_speed_sq(const Segment& segment, double exit_speed) const 
 
 void Planner::plan() {
   queue_.trim();
-  if (!newest_motion_ || *newest_motion_ < unplanned_from_) return;
+  if (!is_due_ || !newest_motion_) return;
+  is_due_ = false;
   const std::uint64_t first = std::max(first_of_run_, queue_.popped());
   double next_entry_sq = -1;  // of the motion behind the one looked at; -1: there is none
   for (std::uint64_t number = *newest_motion_ + 1; number-- > first;) {
@@ -101,7 +116,7 @@ void Planner::plan() {
     if (exit > before) queue_.raise_exit_speed(number, exit);
     const bool was_planned = number < unplanned_from_ && number != joint_behind_;
     if (exit <= before && was_planned) break;
-    next_entry_sq = entry_speed_sq(segment, std::max(exit, before));
+    next_entry_sq = entry_speed_sq(number, std::max(exit, before));
   }
   unplanned_from_ = *newest_motion_ + 1;
   joint_behind_ = *newest_motion_;

@@ -6,6 +6,10 @@
 // already reached nothing before it can become faster, and the pass ends. The follower accelerates as it goes, so there
 // is no forward pass.
 //
+// Speeds once published only ever rise, so what is not known must be taken as slow as it may turn out: the end of what
+// is known might become a joint slower than F START/STOP, and is approached as if it had to be reached with speed 0.
+// Once a full stop is known to follow (rapid, exact stop, dwell, end …) it may be reached with up to F START/STOP.
+//
 // Not supported: a tick in which more than some hundred segments end (each below 0.1 µm at full speed) is cut short.
 #pragma once
 
@@ -53,14 +57,16 @@ class Planner {
   [[nodiscard]] std::uint64_t revised() const { return revised_; }
 
  private:
-  void join_to(std::uint64_t number, const Segment& segment);
-  [[nodiscard]] double entry_speed_sq(const Segment& segment, double exit_speed) const;
+  void join(std::uint64_t number);
+  void note_full_stop();
+  [[nodiscard]] double entry_speed_sq(std::uint64_t number, double exit_speed) const;
 
   SegmentQueue& queue_;
   Limits limits_;
   std::uint64_t run_ = 1;
   std::optional<std::uint64_t> newest_motion_;  ///< of this run
   bool stop_between_ = true;                    ///< a full stop is due before the next motion
+  bool is_due_ = false;                         ///< something was appended that may make exit speeds rise
   int events_in_row_ = 0;
   std::uint64_t unplanned_from_ = 0;         ///< segments from here on were never looked at by `plan`
   std::uint64_t joint_behind_ = UINT64_MAX;  ///< newest motion of the last pass: its joint was not known then

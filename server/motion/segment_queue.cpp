@@ -46,6 +46,7 @@ void SegmentQueue::push(const Segment& segment) {
   Slot& place = slot(number);
   place.segment = segment;
   place.joint_speed = 0;
+  place.is_full_stop = false;
   place.exit_speed.store(0, std::memory_order_relaxed);
   head_.store(number + 1, std::memory_order_release);
 }
@@ -55,6 +56,10 @@ const Segment& SegmentQueue::at(std::uint64_t number) const { return slot(number
 void SegmentQueue::note_joint_speed(std::uint64_t number, double mm_per_s) { slot(number).joint_speed = mm_per_s; }
 
 double SegmentQueue::noted_joint_speed(std::uint64_t number) const { return slot(number).joint_speed; }
+
+void SegmentQueue::note_full_stop(std::uint64_t number) { slot(number).is_full_stop = true; }
+
+bool SegmentQueue::is_full_stop_noted(std::uint64_t number) const { return slot(number).is_full_stop; }
 
 void SegmentQueue::raise_exit_speed(std::uint64_t number, double mm_per_s) {
   std::atomic<double>& speed = slot(number).exit_speed;

@@ -58,6 +58,9 @@ class SegmentQueue {
   /// The greatest exit speed that the joint behind the segment allows; the producer's own note, 0 until it is known.
   void note_joint_speed(std::uint64_t number, double mm_per_s);
   [[nodiscard]] double noted_joint_speed(std::uint64_t number) const;
+  /// What follows needs standstill: the segment ends in a full stop for good. Also the producer's own note.
+  void note_full_stop(std::uint64_t number);
+  [[nodiscard]] bool is_full_stop_noted(std::uint64_t number) const;
   void raise_exit_speed(std::uint64_t number, double mm_per_s);
   /// Gives back the chunks that the consumer has left.
   void trim();
@@ -80,7 +83,8 @@ class SegmentQueue {
  private:
   struct Slot {
     Segment segment;
-    double joint_speed = 0;  ///< producer only
+    double joint_speed = 0;     ///< producer only
+    bool is_full_stop = false;  ///< producer only
     std::atomic<double> exit_speed{0};
   };
   static constexpr std::size_t kChunk = 128;

@@ -1,9 +1,10 @@
 // The keys of AUTOMAT, and how a run's end comes back to the operator.
 #include "panel/automat_mode.hpp"
 
-#include <array>
 #include <utility>
 
+#include "panel/run_end.hpp"
+#include "panel/start_check.hpp"
 #include "program/rebuild_modal.hpp"
 
 namespace cnclab::panel {
@@ -44,11 +45,6 @@ void press_prompt(DigitField& field, Effect effect, int figure) {
   if (effect == Effect::clear) field.clear();
 }
 
-geometry::Point istwert_of(const machine::Snapshot& snapshot) {
-  const auto& mm = snapshot.istwert_mm;
-  return {mm[0], mm[1], mm[2], mm[3]};
-}
-
 void refuse_start(ControlState& state, const Error& failure) {
   state.complain(failure.code,
                  text(Text::said_failed_before, state.tongue(), {language::explain(failure, state.tongue())}));
@@ -56,10 +52,7 @@ void refuse_start(ControlState& state, const Error& failure) {
 
 void begin_run(AutomatMode& mode, ControlState& state) {
   if (mode.failure) return refuse_start(state, *mode.failure);
-  if (!state.connection.channel) {
-    state.hint = text(Text::said_no_machine, state.tongue());
-    return;
-  }
+  if (!may_run(state)) return;
   mode.has_ended = false;
   prepare_start(mode, state);
   RunOrder order{mode.programs,
@@ -67,13 +60,11 @@ void begin_run(AutomatMode& mode, ControlState& state) {
                   .block = mode.block_number(),
                   .position = istwert_of(state.machine()),
                   .modal = mode.first_modal,
-                  .parameters = state.parameters},
+                  .parameters = state.parameters,
+                  .compensation_mm = state.compensation_mm},
                  state.effective_data(),
-                 state.settings.vocabulary};
-  if (!state.apply_data()) {
-    state.hint = text(Text::said_not_at_rest, state.tongue());
-    return;
-  }
+                 state.settings.vocabulary,
+                 state.settings.long_work};
   state.connection.channel->set_single_block(mode.single_block);
   const auto begun = state.run.begin(state.connection, std::move(order));
   if (!begun) {
@@ -104,43 +95,6 @@ void press_ready(AutomatMode& mode, ControlState& state, Effect effect) {
   }
 }
 
-constexpr std::string_view kAxes = "XYZU";
-
-void tell_limit_switch(ControlState& state) {
-  constexpr int kColumnsPerAxis = 16;  // D-118
-  const std::uint8_t axis = state.machine().limit_axis;
-  const std::size_t index = axis < kAxes.size() ? axis : 0;
-  state.message =
-      Message{std::string(text(Text::limit_switch, state.tongue())), static_cast<int>(index) * kColumnsPerAxis,
-              text(Text::said_limit_switch, state.tongue(), {kAxes.substr(index, 1)})};
-}
-
-/// Row 18 for a run that the machine or the lab broke off; the monitor keeps its lines.
-void tell_break(ControlState& state, machine::StopCause cause) {
-  switch (cause) {
-    case machine::StopCause::limit_switch:
-      return tell_limit_switch(state);
-    case machine::StopCause::power_off:
-      state.message.sentence = text(Text::said_power_off, state.tongue());
-      return;
-    case machine::StopCause::machine_halt:
-      state.message.sentence = text(Text::said_machine_halt, state.tongue());
-      return;
-    case machine::StopCause::lease_ended:
-    case machine::StopCause::lease_expired:
-      state.message.sentence = text(Text::said_lease, state.tongue());
-      return;
-    case machine::StopCause::none:
-    case machine::StopCause::operator_stop:
-    case machine::StopCause::program_end:
-    case machine::StopCause::programmed_halt:
-    case machine::StopCause::waiting_for_input:
-    case machine::StopCause::single_block:
-    case machine::StopCause::error:
-      return;
-  }
-}
-
 }  // namespace
 
 AutomatMode open_automat(const ControlState& state) {
@@ -155,8 +109,7 @@ void close(AutomatMode& mode, ControlState& state) {
   mode.single_block = false;
   const auto end = state.run.abandon();
   if (!end) return;
-  state.modal = end->modal;
-  state.parameters = end->parameters;
+  state.take_over(*end);
 }
 
 void prepare_start(AutomatMode& mode, const ControlState& state) {
@@ -210,8 +163,7 @@ void follow(AutomatMode& mode, ControlState& state) {
   const std::optional<RunEnd> end = state.run.poll();
   if (state.run.state() != before) state.hint.clear();  // it spoke of what is over now
   if (!end) return;
-  state.modal = end->modal;
-  state.parameters = end->parameters;
+  state.take_over(*end);
   switch (end->kind) {
     case RunEnd::Kind::program_end:
       mode.has_ended = true;  // the window returns to the acknowledged start block (D-40)

@@ -1,30 +1,17 @@
 // Bild 5: what AUTOMAT shows, with the START and STOP fields of Bild 3 (D-27).
-#include <array>
-#include <cmath>
 #include <string>
 
 #include "language/screen_form.hpp"
 #include "panel/automat_mode.hpp"
 #include "panel/block_window.hpp"
-#include "panel/status_line.hpp"
+#include "panel/motion_screen.hpp"
 
 namespace cnclab::panel {
 
 namespace {
 
-constexpr int kStartRow = 2, kStopRow = 3, kProgramRow = 4, kWindowRow = 8;
-constexpr int kStateColumn = 7, kIstwertColumn = 51;
+constexpr int kProgramRow = 4, kWindowRow = 8;
 constexpr std::size_t kWindowLines = 5;
-
-void draw_istwerte(const machine::Snapshot& snapshot, Monitor& monitor) {
-  constexpr std::array<std::string_view, 3> kAxes{"X  ", "Y  ", "Z  "};
-  constexpr double kUmPerMm = 1000;
-  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
-    const language::Micrometres value{std::llround(snapshot.istwert_mm[axis] * kUmPerMm)};
-    monitor.write(kStartRow + static_cast<int>(axis), kIstwertColumn,
-                  std::string(kAxes[axis]) + language::istwert_text(value));
-  }
-}
 
 void draw_prompts(const AutomatMode& mode, const ControlState& state, Monitor& monitor) {
   const std::string_view label = text(Text::program_number, state.tongue());
@@ -63,17 +50,12 @@ void draw_window(const AutomatMode& mode, const ControlState& state, const progr
 }  // namespace
 
 void draw(const AutomatMode& mode, const ControlState& state, Monitor& monitor) {
-  const machine::Snapshot snapshot = state.machine();
-  const Place place = place_of(mode, state);
-  const bool is_started = is_start_state(place);
-  monitor.write(kStartRow, 0, "START", is_started ? Attribute::inverse : Attribute::normal);
-  monitor.write(kStopRow, 0, "STOP", is_started ? Attribute::normal : Attribute::inverse);
+  draw_start_and_stop(is_start_state(place_of(mode, state)), kHighStartRow, monitor);
   const program::ModalState modal = state.run.is_present()                    ? state.run.modal()
                                     : mode.phase == AutomatMode::Phase::ready ? mode.first_modal
                                                                               : state.modal;
-  monitor.write(kStartRow, kStateColumn, status_line(modal, state.settings.vocabulary.model));
-  monitor.write(kStopRow, kStateColumn, inputs_and_outputs(snapshot));
-  draw_istwerte(snapshot, monitor);
+  draw_state_lines(modal, state, kHighStartRow, monitor);
+  draw_istwerte(state.machine(), monitor);
   draw_prompts(mode, state, monitor);
   draw_window(mode, state, modal, monitor);
 }

@@ -3,31 +3,7 @@
 
 namespace cnclab::panel {
 
-Place place_of(const ComingMode& mode) {
-  switch (mode.mode) {
-    case Mode::hand:
-      return Place::hand;
-    case Mode::hand_input:
-      return Place::hand_input;
-    case Mode::teach_in:
-      return Place::teach_in;
-    case Mode::external_data:
-      return Place::external_data;
-    case Mode::graphics:
-      return Place::graphics;
-    case Mode::erase_memory:
-      return Place::erase_memory;
-    case Mode::machine_data:
-      return Place::machine_data;
-    case Mode::memory_test:
-      return Place::memory_test;
-    case Mode::menu:
-    case Mode::automat:
-    case Mode::editor:
-      break;  // these have modes of their own
-  }
-  return Place::menu;
-}
+Place place_of(const ComingMode& mode) { return mode.mode == Mode::graphics ? Place::graphics : Place::external_data; }
 
 void draw(const ComingMode&, const ControlState& state, Monitor& monitor) {
   const std::string_view notice = text(Text::in_preparation, state.tongue());

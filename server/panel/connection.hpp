@@ -12,7 +12,8 @@ struct Connection {
   std::shared_ptr<machine::Channel> channel;
   machine::Epoch epoch{};
   bool is_lab_machine = false;
-  machine::MachineData lab_data;  ///< the lab machine's own, only where is_lab_machine
+  machine::MachineData lab_data;    ///< the lab machine's own, only where is_lab_machine
+  bool requires_reference = false;  ///< without a reference only HANDBETRIEB moves (DEC-27)
 };
 
 }  // namespace cnclab::panel

@@ -22,6 +22,10 @@ void apply(const StoreRequest& request, ControlState& state) {
   if (const auto* removed = std::get_if<RemovePrograms>(&request))
     for (const std::uint16_t program : removed->programs) state.memory.remove_program(program);
   if (const auto* data = std::get_if<PutMachineData>(&request)) state.data = data->data;
+  if (const auto* all = std::get_if<EraseMemory>(&request)) {
+    for (const std::uint16_t program : all->programs) state.memory.remove_program(program);
+    state.data = all->data;
+  }
 }
 
 bool stores_block(const StoreRequest& request) {
@@ -29,11 +33,16 @@ bool stores_block(const StoreRequest& request) {
 }
 
 /// Row 18 says why a key had no effect.
-std::string hint_for(Key key, Place place, const ActiveMode& mode, language::Tongue tongue) {
+std::string hint_for(Key key, Place place, const ActiveMode& mode, const Settings& settings) {
   const std::string_view label = label_of(key);
+  const language::Tongue tongue = settings.tongue;
+  if (place == Place::input_rest) return text(Text::hint_rest, tongue, {label});
   if (place == Place::automat_running) return text(Text::hint_running, tongue, {label});
-  if (place == Place::automat_waiting) return text(Text::hint_waiting, tongue, {label});
-  if (is_opening(effect_of(Place::menu, key))) return text(Text::hint_menu_first, tongue, {label});
+  if (place == Place::automat_waiting || place == Place::input_waiting)
+    return text(Text::hint_waiting, tongue, {label});
+  if (is_start_state(place)) return text(Text::hint_moving, tongue, {label});
+  if (place != Place::menu && is_opening(effect_of(Place::menu, key, settings.vocabulary)))
+    return text(Text::hint_menu_first, tongue, {label});
   if (const auto* coming = std::get_if<ComingMode>(&mode))
     return text(Text::hint_coming, tongue, {title_of(coming->mode, tongue)});
   return text(Text::hint_no_effect, tongue, {label});
@@ -45,6 +54,12 @@ bool is_labs_own(Key key) {
 
 constexpr int kBeeperDatum = 22;
 
+/// What the effect has to know of its key: the digit, or which of the six direction keys.
+int figure_of(Effect effect, Key key) {
+  if (effect == Effect::direction) return static_cast<int>(key) - static_cast<int>(Key::PLUS_X);
+  return digit_of(key).value_or(0);
+}
+
 }  // namespace
 
 struct Control::Impl {
@@ -55,6 +70,11 @@ struct Control::Impl {
     close_mode(active, state);
     active = open_mode(next, state);
     outcome.mode_changed = true;
+  }
+
+  /// Opens the mode that the active one asked for, if any.
+  void obey_mode(Outcome& outcome) {
+    if (const auto next = std::exchange(state.next_mode, std::nullopt)) change_mode(*next, outcome);
   }
 
   /// RESET in any state: as STOP, spindle and coolant off, menu; programs and parameters stay (D-121, DEC-39).
@@ -133,9 +153,10 @@ void Control::connect(Connection connection) {
   impl_->set_kept_istwert();
 }
 
-Outcome Control::press(Key key, const Now&) {
+Outcome Control::press(Key key, const Now& now) {
   Outcome outcome;
   ControlState& state = impl_->state;
+  state.now = now;
   if (is_labs_own(key)) return outcome;
   if (key == Key::STOP) impl_->stop_machine();
   state.hint.clear();
@@ -149,16 +170,17 @@ Outcome Control::press(Key key, const Now&) {
     return outcome;
   }
   const Place place = impl_->place();
-  const Effect effect = effect_of(place, key);
+  const Effect effect = effect_of(place, key, state.settings.vocabulary);
   if (effect == Effect::ignored) {
-    if (state.settings.hints) state.hint = hint_for(key, place, impl_->active, state.tongue());
+    if (state.settings.hints) state.hint = hint_for(key, place, impl_->active, state.settings);
     return outcome;
   }
   state.message = {};
   if (is_opening(effect))
     impl_->change_mode(mode_opened_by(effect), outcome);
   else
-    panel::press(impl_->active, state, effect, digit_of(key).value_or(0));
+    panel::press(impl_->active, state, effect, figure_of(effect, key));
+  impl_->obey_mode(outcome);
   outcome.store = state.storing;
   return outcome;
 }
@@ -204,11 +226,17 @@ void Control::store_done(const std::string& error) {
   }
   apply(request, state);
   if (stores_block(request) && state.data.get(kBeeperDatum) == 1) ++state.beeps;  // EDIT-027
-  if (auto* editor = std::get_if<EditorMode>(&impl_->active)) stored(*editor, state, request);
+  stored(impl_->active, state, request);
 }
 
-void Control::poll(const Now&) {
-  if (auto* automat = std::get_if<AutomatMode>(&impl_->active)) follow(*automat, impl_->state);
+Outcome Control::poll(const Now& now) {
+  Outcome outcome;
+  ControlState& state = impl_->state;
+  state.now = now;
+  if (const auto turn = state.machine().spindle; turn != geometry::SpindleTurn::off) state.last_turn = turn;
+  follow(impl_->active, state);
+  impl_->obey_mode(outcome);
+  return outcome;
 }
 
 std::string Control::Impl::sentence(const SideView& side) const {
@@ -235,15 +263,21 @@ Screen Control::draw(const Now& now, const SideView& side) const {
                     .is_referenced = machine.is_referenced,
                     .spindle = machine.spindle};
   draw_side(canvas, side, lamps, state.tongue());
-  draw_bottom(canvas, impl_->sentence(side), impl_->place(), state.tongue());
+  draw_bottom(canvas, impl_->sentence(side), impl_->place(), state.settings);
   return canvas.screen();
 }
 
 Situation Control::situation() const {
   Situation situation{.mode = mode(), .started = is_running(), .alarm = !impl_->state.message.monitor.empty()};
+  if (situation.mode == Mode::hand || situation.mode == Mode::teach_in)
+    situation.alarm = situation.alarm || std::ranges::count(impl_->state.machine().limit, true) > 0;
   if (const auto* editor = std::get_if<EditorMode>(&impl_->active)) {
     situation.program = editor->number();
     situation.block = editor->is_open ? static_cast<std::uint16_t>(editor->line.number()) : std::uint16_t{0};
+  }
+  if (const auto* teach_in = std::get_if<TeachInMode>(&impl_->active)) {
+    situation.program = teach_in->number();
+    situation.block = teach_in->is_open ? static_cast<std::uint16_t>(teach_in->line.number()) : std::uint16_t{0};
   }
   if (const auto* automat = std::get_if<AutomatMode>(&impl_->active)) {
     const geometry::SourceBlock current = current_block(*automat, impl_->state);

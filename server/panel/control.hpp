@@ -68,7 +68,12 @@ struct RemovePrograms {
 struct PutMachineData {
   machine::MachineData data;
 };
-using StoreRequest = std::variant<PutBlock, InsertBlock, DeleteBlock, RemovePrograms, PutMachineData>;
+/// The whole memory at once: these programs, and the machine data become `data` (MOD-077). The versions stay (STO-005).
+struct EraseMemory {
+  std::vector<std::uint16_t> programs;
+  machine::MachineData data;
+};
+using StoreRequest = std::variant<PutBlock, InsertBlock, DeleteBlock, RemovePrograms, PutMachineData, EraseMemory>;
 
 /// What a key press led to besides a changed screen.
 struct Outcome {
@@ -117,8 +122,8 @@ class Control {
   /// The answer to the pending request; `error` is the sentence for row 18, empty when it is on disk.
   void store_done(const std::string& error);
 
-  /// To be called every 10 to 20 ms: feeds the run (at most 2 ms of work), follows the machine.
-  void poll(const Now& now);
+  /// To be called every 10 to 20 ms: feeds the run (at most 2 ms of work), follows the machine. Stores nothing.
+  Outcome poll(const Now& now);
 
   [[nodiscard]] Screen draw(const Now& now, const SideView& side) const;
   [[nodiscard]] Situation situation() const;

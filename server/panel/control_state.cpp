@@ -33,6 +33,31 @@ bool ControlState::apply_data() {
   return true;
 }
 
+language::EntryLimits ControlState::entry_limits() const {
+  return {.x = {data.get(3)}, .y = {data.get(4)}, .z = {data.get(5)}, .f_max = data.get(6), .s_max = data.get(7)};
+}
+
+EraseMemory ControlState::whole_memory() const {
+  EraseMemory request;
+  for (const language::Program& program : memory.programs()) request.programs.push_back(program.number);
+  return request;
+}
+
+void ControlState::initialise() {
+  modal = {};
+  parameters = {};
+  compensation_mm = {};
+  taught = {};
+  editor_program = automat_program = 1;
+  (void)apply_data();  // where the machine does not stand still, the next START tries again
+}
+
+void ControlState::take_over(const RunEnd& end) {
+  modal = end.modal;
+  parameters = end.parameters;
+  compensation_mm = end.compensation_mm;
+}
+
 language::Plane ControlState::plane() const { return static_cast<language::Plane>(modal.plane); }
 
 machine::Snapshot ControlState::machine() const {
@@ -43,5 +68,11 @@ std::string program_text(int number) { return zero_padded(number, 4); }
 std::string block_text(int number) { return zero_padded(number, 3); }
 std::string program_word(int number) { return std::string(1, 'P').append(program_text(number)); }
 std::string block_word(int number) { return std::string(1, 'N').append(block_text(number)); }
+
+std::string function_text(language::Function function) {
+  std::string text(function.kind == language::Function::Kind::g ? "G" : "↓");
+  if (function.code < 10) text += '0';
+  return text.append(std::to_string(function.code));
+}
 
 }  // namespace cnclab::panel

@@ -2,9 +2,11 @@
 // that work on it; nothing here knows which of them is active.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 
+#include "language/check_block.hpp"
 #include "language/error.hpp"
 #include "panel/control.hpp"
 #include "panel/run.hpp"
@@ -20,6 +22,12 @@ struct Message {
   std::string sentence;
 };
 
+/// Where TEACH IN stopped last: continuing that program goes on from there (DEC-61).
+struct TaughtPosition {
+  std::uint16_t program = 0;  ///< 0: none
+  std::array<std::int64_t, 3> position_um{};
+};
+
 struct ControlState {
   ControlState(const Settings& configuration, Memory stored, machine::MachineData own_data)
       : settings(configuration), memory(std::move(stored)), data(std::move(own_data)) {}
@@ -29,18 +37,23 @@ struct ControlState {
   machine::MachineData data;  ///< the student's own
   program::ModalState modal;
   program::Parameters parameters{};
+  std::array<double, 3> compensation_mm{};  ///< Istwert minus Sollwert that the last run has left (D-75)
   Connection connection;
   int override_percent = 100;
   Run run;
+  geometry::SpindleTurn last_turn = geometry::SpindleTurn::clockwise;  ///< for the key FRÄSER (D-12)
 
   std::optional<machine::MachineData> applied_data;  ///< that the connected machine has been given
 
   std::uint16_t editor_program = 1;   ///< last worked on (D-35)
   std::uint16_t automat_program = 1;  ///< last run in AUTOMAT (MOD-050)
+  TaughtPosition taught;
   Message message;
   std::string hint;  ///< why the last key was ignored; row 18 only
   std::optional<StoreRequest> storing;
   int beeps = 0;
+  Now now;                        ///< of the newest call
+  std::optional<Mode> next_mode;  ///< a mode asks for another one to be opened after this key or poll
 
   [[nodiscard]] language::Tongue tongue() const { return settings.tongue; }
   /// Monitor text and sentence of an error.
@@ -51,6 +64,14 @@ struct ControlState {
   [[nodiscard]] machine::MachineData effective_data() const;
   /// Gives the machine the data that hold now; false where it has others and does not stand still.
   [[nodiscard]] bool apply_data();
+  /// What EINGABE compares word values with (D-46, DEC-56).
+  [[nodiscard]] language::EntryLimits entry_limits() const;
+  /// The request that erases everything, machine data included.
+  [[nodiscard]] EraseMemory whole_memory() const;
+  /// As after switching on (MOD-078): modal state, parameters and offered numbers; the axes' counters stay.
+  void initialise();
+  /// Takes over what a run has left behind.
+  void take_over(const RunEnd& end);
   [[nodiscard]] language::Plane plane() const;      ///< of the modal state
   [[nodiscard]] machine::Snapshot machine() const;  ///< all at rest where none is connected
 };
@@ -60,5 +81,7 @@ struct ControlState {
 [[nodiscard]] std::string block_text(int number);
 [[nodiscard]] std::string program_word(int number);
 [[nodiscard]] std::string block_word(int number);
+/// "G01", "↓16".
+[[nodiscard]] std::string function_text(language::Function function);
 
 }  // namespace cnclab::panel

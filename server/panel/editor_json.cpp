@@ -41,20 +41,6 @@ WordEntry word_of(const Json& json, language::Address address) {
   return word;
 }
 
-Json line_json(const EntryLine& line) {
-  const EntryLine::Content& content = line.content();
-  Json json{{"loaded", content.is_loaded},
-            {"parametric", content.is_parametric},
-            {"number", field_json(content.number)},
-            {"code", field_json(content.code)},
-            {"marker", static_cast<int>(content.marker)},
-            {"word", content.word},
-            {"words", Json::array()}};
-  if (content.shown) json["shown"] = {static_cast<int>(content.shown->kind), content.shown->code};
-  for (const WordEntry& word : content.words) json["words"].push_back(word_json(word));
-  return json;
-}
-
 std::optional<language::Function> function_in(const Json& json) {
   const Json* shown = member_of(json, "shown");
   if (shown == nullptr || !shown->is_array() || shown->size() != 2) return std::nullopt;
@@ -70,26 +56,6 @@ bool read_words(const Json& json, const language::BlockForm& form, EntryLine::Co
   for (std::size_t i = 0; i < form.words.size(); ++i) content.words.push_back(word_of((*words)[i], form.words[i]));
   content.shown = form.function;
   return true;
-}
-
-EntryLine line_of(const Json& json, bool is_tool_row, language::Plane plane, const language::Vocabulary& vocabulary) {
-  EntryLine::Content content;
-  content.is_tool_row = is_tool_row;
-  content.is_loaded = flag_in(json, "loaded");
-  content.is_parametric = !is_tool_row && flag_in(json, "parametric");
-  read_field(json, "number", content.number);
-  read_field(json, "code", content.code);
-  const auto function = function_in(json);
-  const bool fits = function && (function->kind == language::Function::Kind::tool) == is_tool_row;
-  const language::BlockForm* form = fits ? language::find_form(*function, plane, vocabulary) : nullptr;
-  if (form != nullptr) (void)read_words(json, *form, content);
-  content.marker = static_cast<EntryLine::Marker>(integer_in(json, "marker", 0, 2, 0));
-  content.word =
-      static_cast<std::size_t>(integer_in(json, "word", 0, static_cast<std::int64_t>(language::kMostWords), 0));
-  if (content.marker == EntryLine::Marker::function && is_tool_row) content.marker = EntryLine::Marker::number;
-  if (content.marker == EntryLine::Marker::word && content.word >= content.words.size())
-    content.marker = EntryLine::Marker::number;
-  return EntryLine(std::move(content));
 }
 
 }  // namespace
@@ -134,6 +100,40 @@ void read_field(const Json& json, const char* name, DigitField& field) {
   if (const auto value = integer_in(*member, "value", -1, most - 1, -1); value >= 0)
     field.value = static_cast<int>(value);
   if (field.value) field.typed = static_cast<int>(integer_in(*member, "typed", 0, field.places, 0));
+}
+
+Json line_json(const EntryLine& line) {
+  const EntryLine::Content& content = line.content();
+  Json json{{"loaded", content.is_loaded},
+            {"parametric", content.is_parametric},
+            {"number", field_json(content.number)},
+            {"code", field_json(content.code)},
+            {"marker", static_cast<int>(content.marker)},
+            {"word", content.word},
+            {"words", Json::array()}};
+  if (content.shown) json["shown"] = {static_cast<int>(content.shown->kind), content.shown->code};
+  for (const WordEntry& word : content.words) json["words"].push_back(word_json(word));
+  return json;
+}
+
+EntryLine line_of(const Json& json, bool is_tool_row, language::Plane plane, const language::Vocabulary& vocabulary) {
+  EntryLine::Content content;
+  content.is_tool_row = is_tool_row;
+  content.is_loaded = flag_in(json, "loaded");
+  content.is_parametric = !is_tool_row && flag_in(json, "parametric");
+  read_field(json, "number", content.number);
+  read_field(json, "code", content.code);
+  const auto function = function_in(json);
+  const bool fits = function && (function->kind == language::Function::Kind::tool) == is_tool_row;
+  const language::BlockForm* form = fits ? language::find_form(*function, plane, vocabulary) : nullptr;
+  if (form != nullptr) (void)read_words(json, *form, content);
+  content.marker = static_cast<EntryLine::Marker>(integer_in(json, "marker", 0, 2, 0));
+  content.word =
+      static_cast<std::size_t>(integer_in(json, "word", 0, static_cast<std::int64_t>(language::kMostWords), 0));
+  if (content.marker == EntryLine::Marker::function && is_tool_row) content.marker = EntryLine::Marker::number;
+  if (content.marker == EntryLine::Marker::word && content.word >= content.words.size())
+    content.marker = EntryLine::Marker::number;
+  return EntryLine(std::move(content));
 }
 
 Json editor_json(const EditorMode& mode) {

@@ -11,10 +11,6 @@ using language::Address;
 using language::Error;
 using language::ErrorCode;
 
-language::EntryLimits limits_of(const machine::MachineData& data) {
-  return {.x = {data.get(3)}, .y = {data.get(4)}, .z = {data.get(5)}, .f_max = data.get(6), .s_max = data.get(7)};
-}
-
 /// G20 to G23 must not lead into the programs of the cycles (DEC-64).
 bool leads_to_cycles(const language::Block& block) {
   constexpr std::uint8_t kFirstJump = 20, kLastCall = 23;
@@ -25,15 +21,9 @@ bool leads_to_cycles(const language::Block& block) {
          language::is_reserved_for_cycles(static_cast<int>(target->number));
 }
 
-std::string function_text(language::Function function) {
-  std::string text(function.kind == language::Function::Kind::g ? "G" : "↓");
-  if (function.code < 10) text += '0';
-  return text.append(std::to_string(function.code));
-}
-
 /// The first fault of the block, with program and block filled in.
 std::optional<Error> fault_of(const EditorMode& mode, const ControlState& state, const language::Block& block) {
-  const language::EntryLimits limits = limits_of(state.data);
+  const language::EntryLimits limits = state.entry_limits();
   const auto checked = language::check_block(block, mode.plane, state.settings.vocabulary, &limits);
   Error error = checked ? Error{.code = ErrorCode::reserved_for_cycles, .word = 'P'} : checked.error();
   if (checked && !leads_to_cycles(block)) return std::nullopt;

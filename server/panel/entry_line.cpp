@@ -126,6 +126,17 @@ void EntryLine::next_word() {
   content_.words[content_.word].arrive();
 }
 
+bool EntryLine::is_at_last_word() const {
+  return content_.marker == Marker::word && content_.word + 1 == content_.words.size();
+}
+
+void EntryLine::fill(language::Address address, std::optional<std::int32_t> number) {
+  const auto found = std::ranges::find(content_.words, address, &WordEntry::address);
+  if (found == content_.words.end()) return;
+  const language::Word word{address, false, number.value_or(0)};
+  *found = WordEntry::of(address, number ? &word : nullptr);
+}
+
 void EntryLine::mark(char letter) {
   const auto is_meant = [letter](const WordEntry& word) { return language::letter(word.address) == letter; };
   auto found =
@@ -154,34 +165,39 @@ const WordEntry* EntryLine::half_word() const {
   return found == content_.words.end() ? nullptr : &*found;
 }
 
-void EntryLine::draw(Monitor& monitor, int row, language::Plane plane, language::Tongue tongue) const {
-  const std::string number = std::string(content_.is_tool_row ? "T" : "N").append(content_.number.text());
-  if (words_fit_function()) draw_words(monitor, row, plane, tongue);
-  monitor.write(row, kNumberColumn, number);
-  if (content_.marker == Marker::number) return monitor.mark(row, kNumberColumn);
-  if (content_.is_tool_row) return;
-  monitor.write(row, kFunctionColumn, (content_.is_parametric ? "↓" : "G") + content_.code.text());
-  if (content_.marker != Marker::function) return;
+void EntryLine::draw(Monitor& monitor, int row, language::Plane plane, language::Tongue tongue, Style style) const {
+  const bool is_numbered = style != Style::without_number;
+  const int left = is_numbered ? 0 : -kFunctionColumn, column = kFunctionColumn + left;
+  const bool has_words = words_fit_function();
+  if (is_numbered) monitor.write(row, kNumberColumn, (content_.is_tool_row ? "T" : "N") + content_.number.text());
+  if (has_words) draw_words(monitor, row, left, plane, tongue);
+  // A number that still waits to be acknowledged stands alone, unless its block was loaded.
+  const bool has_function = has_words || content_.marker != Marker::number;
+  if (has_function && !content_.is_tool_row)
+    monitor.write(row, column, (content_.is_parametric ? "↓" : "G") + content_.code.text());
+  if (content_.marker == Marker::number && style == Style::editor) return monitor.mark(row, kNumberColumn);
+  if (content_.marker != Marker::function || content_.is_tool_row) return;
   // ↓ and G differ only in this cell, so the arrow stays readable and is shown inverse (SCR-053).
-  if (content_.is_parametric) return monitor.put(row, kFunctionColumn, U'↓', Attribute::inverse);
-  monitor.mark(row, kFunctionColumn);
+  if (content_.is_parametric) return monitor.put(row, column, U'↓', Attribute::inverse);
+  if (!is_numbered) return monitor.put(row, column, U'G', Attribute::inverse);
+  monitor.mark(row, column);
 }
 
-void EntryLine::draw_words(Monitor& monitor, int row, language::Plane plane, language::Tongue tongue) const {
+void EntryLine::draw_words(Monitor& monitor, int row, int left, language::Plane plane, language::Tongue tongue) const {
   language::Block empty = block();
   empty.words.clear();
-  const std::string line = language::block_line(empty, plane, tongue);
-  monitor.write(row, 0, line);
-  const std::u32string cells = from_utf8(line);
+  const std::u32string cells = from_utf8(language::block_line(empty, plane, tongue));
   std::size_t column = content_.is_tool_row ? kFunctionColumn : kFunctionColumn + 4;
+  for (std::size_t i = column; i < cells.size(); ++i) monitor.put(row, static_cast<int>(i) + left, cells[i]);
   for (std::size_t i = 0; i < content_.words.size(); ++i) {
     const WordEntry& word = content_.words[i];
     const auto wanted = static_cast<char32_t>(language::letter(word.address));
     for (bool in_text = false; column < cells.size() && (in_text || cells[column] != wanted); ++column)
       in_text = cells[column] == U'(' || (in_text && cells[column] != U')');
     const bool is_value = word.address == language::Address::value;
-    monitor.write(row, static_cast<int>(column) + (is_value ? 2 : 0), word.text());
-    if (content_.marker == Marker::word && content_.word == i) monitor.mark(row, static_cast<int>(column));
+    const int place = static_cast<int>(column) + left;
+    monitor.write(row, place + (is_value ? 2 : 0), word.text());
+    if (content_.marker == Marker::word && content_.word == i) monitor.mark(row, place);
     ++column;
   }
 }

@@ -99,6 +99,9 @@ class EntryLine {
   /// Are the shown words those of the function field as it stands?
   [[nodiscard]] bool words_fit_function() const { return content_.shown.has_value() && content_.shown == function(); }
   void next_word();  ///< after the last the first (D-14)
+  [[nodiscard]] bool is_at_last_word() const;
+  /// Puts a value into the word of that address, or empties it; the marker stays.
+  void fill(language::Address address, std::optional<std::int32_t> number);
   /// Puts the marker on the first word of that letter, an empty one before others; else on the function.
   void mark(char letter);
 
@@ -107,8 +110,15 @@ class EntryLine {
   /// The first word that was begun as a parameter and has no number yet.
   [[nodiscard]] const WordEntry* half_word() const;
 
+  /// How a mode shows the line.
+  enum class Style : std::uint8_t {
+    editor,
+    without_number,  ///< HANDEINGABE (Bild 3): the G under the marker stays readable and is shown inverse
+    fixed_number,    ///< TEACH IN (Bild 4): the number is not entered and carries no marker
+  };
   /// Draws the line with its marker.
-  void draw(Monitor& monitor, int row, language::Plane plane, language::Tongue tongue) const;
+  void draw(Monitor& monitor, int row, language::Plane plane, language::Tongue tongue,
+            Style style = Style::editor) const;
 
   /// Everything that the line consists of, for keeping it (SEAT-002) and bringing it back.
   struct Content {
@@ -125,7 +135,7 @@ class EntryLine {
 
  private:
   void forget_words();
-  void draw_words(Monitor& monitor, int row, language::Plane plane, language::Tongue tongue) const;
+  void draw_words(Monitor& monitor, int row, int left, language::Plane plane, language::Tongue tongue) const;
 
   Content content_;
 };

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <span>
 
+#include "language/block_form.hpp"
 #include "panel/mode.hpp"
 #include "panel/texts.hpp"
 #include "shared/key.hpp"
@@ -15,15 +16,34 @@ namespace cnclab::panel {
 
 enum class Place : std::uint8_t {
   menu,
+  // HANDBETRIEB
+  hand_ready,      ///< STOP state: directions are chosen
+  hand_istwert,    ///< sub mode ISTWERT, no axis chosen yet
+  hand_value,      ///< … the value of an axis is typed
+  hand_moving,     ///< START state
+  hand_reference,  ///< START state, to the reference points
+  // HANDEINGABE
+  input_function,  ///< the marker stands on G
+  input_word,      ///< … on a word
+  input_rest,      ///< stopped inside a block: its rest waits for START (KEY-024)
+  input_running,   ///< START state
+  input_waiting,   ///< START state, an M function waits for an input: START ends the waiting (KEY-013)
+  // TEACH IN
+  teach_program,  ///< program number prompt
+  teach_ready,    ///< STOP state, no word chosen
+  teach_word,     ///< STOP state, the marker stands on a word
+  teach_moving,   ///< START state
   // Modes in preparation
-  hand,
-  hand_input,
-  teach_in,
   external_data,
   graphics,
-  erase_memory,
+  // SPEICHER LÖSCHEN
+  erase_program,  ///< program number prompt
+  erase_all,      ///< C was pressed: → erases the whole memory
+  // Service
   machine_data,
-  memory_test,
+  memory_list,     ///< the numbers that the test would go through
+  memory_confirm,  ///< asked whether the memory may be destroyed
+  memory_running,  ///< until RESET (ERR-033)
   // EINGABEMODUS
   editor_program,   ///< program number prompt, and the overview
   editor_number,    ///< the marker stands on N
@@ -62,6 +82,12 @@ enum class Effect : std::uint8_t {
   start,
   stop,
   single_block,
+  direction,
+  istwert,
+  spindle,
+  coolant,
+  reference,
+  test_memory,
 };
 
 /// A row of the table: in this place the keys from `first` to `last` have this effect.
@@ -70,11 +96,16 @@ struct KeyRow {
   Key first{}, last{};
   Effect effect = Effect::ignored;
   Text help{};  ///< what the help rows say of it
+  /// Only where the control has what it leads to: GRAFIK is a planned function, and the 3250 has neither it nor
+  /// parameters (MODEL-003, MODEL-006).
+  enum class Needs : std::uint8_t { nothing, planned_functions, parameters } needs = Needs::nothing;
 };
 
 [[nodiscard]] std::span<const KeyRow> key_table();
+/// Does a control of this vocabulary have the row?
+[[nodiscard]] bool has_row(const KeyRow& row, const language::Vocabulary& vocabulary);
 
-[[nodiscard]] Effect effect_of(Place place, Key key);
+[[nodiscard]] Effect effect_of(Place place, Key key, const language::Vocabulary& vocabulary = {});
 
 /// The mode that an opening effect leads to.
 [[nodiscard]] constexpr bool is_opening(Effect effect) {
@@ -84,7 +115,9 @@ struct KeyRow {
 
 /// Is the place one of START state? (KEY-011)
 [[nodiscard]] constexpr bool is_start_state(Place place) {
-  return place == Place::automat_running || place == Place::automat_waiting;
+  return place == Place::hand_moving || place == Place::hand_reference || place == Place::input_running ||
+         place == Place::input_waiting || place == Place::teach_moving || place == Place::automat_running ||
+         place == Place::automat_waiting;
 }
 
 }  // namespace cnclab::panel

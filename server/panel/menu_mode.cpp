@@ -10,6 +10,10 @@ void draw(const MenuMode&, const ControlState& state, Monitor& monitor) {
   int row = kFirstRow;
   for (const KeyRow& entry : key_table()) {
     if (entry.place != Place::menu) continue;
+    if (!has_row(entry, state.settings.vocabulary)) {  // its line stays blank (MODEL-003)
+      ++row;
+      continue;
+    }
     monitor.mark(row, 0);
     monitor.write(row, kKeyColumn, label_of(entry.first));
     monitor.write(row, kNameColumn, text(entry.help, state.tongue()));

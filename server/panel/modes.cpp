@@ -16,16 +16,20 @@ ActiveMode open_mode(Mode mode, ControlState& state) {
   switch (mode) {
     case Mode::menu:
       return MenuMode{};
+    case Mode::hand:
+      return open_hand(state);
+    case Mode::hand_input:
+      return open_hand_input(state);
+    case Mode::teach_in:
+      return open_teach_in(state);
     case Mode::automat:
       return open_automat(state);
+    case Mode::erase_memory:
+      return EraseMemoryMode{};
     case Mode::editor:
       return open_editor(state);
-    case Mode::hand:
-    case Mode::hand_input:
-    case Mode::teach_in:
     case Mode::external_data:
     case Mode::graphics:
-    case Mode::erase_memory:
     case Mode::machine_data:
     case Mode::memory_test:
       return ComingMode{mode};
@@ -34,28 +38,53 @@ ActiveMode open_mode(Mode mode, ControlState& state) {
 }
 
 void close_mode(ActiveMode& mode, ControlState& state) {
-  if (auto* automat = std::get_if<AutomatMode>(&mode)) close(*automat, state);
+  std::visit(Overloaded{[&](auto& active)
+                          requires requires { close(active, state); }
+                        { close(active, state); },
+                        [](const auto&) {}},
+                        mode);
 }
 
 Mode mode_of(const ActiveMode& mode) {
   return std::visit(
-      Overloaded{[](const MenuMode&) { return Mode::menu; }, [](const EditorMode&) { return Mode::editor; },
-                 [](const AutomatMode&) { return Mode::automat; },
-                 [](const ComingMode& coming) { return coming.mode; }},
+      Overloaded{
+          [](const MenuMode&) { return Mode::menu; }, [](const HandMode&) { return Mode::hand; },
+          [](const HandInputMode&) { return Mode::hand_input; }, [](const TeachInMode&) { return Mode::teach_in; },
+          [](const EraseMemoryMode&) { return Mode::erase_memory; }, [](const AutomatMode&) { return Mode::automat; },
+          [](const EditorMode&) { return Mode::editor; }, [](const ComingMode& coming) { return coming.mode; }},
       mode);
 }
 
 Place place_of(const ActiveMode& mode, const ControlState& state) {
-  return std::visit(
-      Overloaded{[](const MenuMode&) { return Place::menu; }, [](const EditorMode& editor) { return place_of(editor); },
-                 [&](const AutomatMode& automat) { return place_of(automat, state); },
-                 [](const ComingMode& coming) { return place_of(coming); }},
-      mode);
+  return std::visit(Overloaded{[](const MenuMode&) { return Place::menu; },
+                               [&](const HandInputMode& input) { return place_of(input, state); },
+                               [&](const AutomatMode& automat) { return place_of(automat, state); },
+                               [](const auto& active) { return place_of(active); }},
+                    mode);
 }
 
 void press(ActiveMode& mode, ControlState& state, Effect effect, int figure) {
-  if (auto* editor = std::get_if<EditorMode>(&mode)) return press(*editor, state, effect, figure);
-  if (auto* automat = std::get_if<AutomatMode>(&mode)) return press(*automat, state, effect, figure);
+  std::visit(Overloaded{[&](auto& active)
+                          requires requires { press(active, state, effect, figure); }
+                        { press(active, state, effect, figure); },
+                        [](const auto&) {}},
+                        mode);
+}
+
+void follow(ActiveMode& mode, ControlState& state) {
+  std::visit(Overloaded{[&](auto& active)
+                          requires requires { follow(active, state); }
+                        { follow(active, state); },
+                        [](const auto&) {}},
+                        mode);
+}
+
+void stored(ActiveMode& mode, ControlState& state, const StoreRequest& request) {
+  std::visit(Overloaded{[&](auto& active)
+                          requires requires { stored(active, state, request); }
+                        { stored(active, state, request); },
+                        [](const auto&) {}},
+                        mode);
 }
 
 void draw(const ActiveMode& mode, const ControlState& state, Monitor& monitor) {

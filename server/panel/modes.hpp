@@ -7,11 +7,16 @@
 #include "panel/automat_mode.hpp"
 #include "panel/coming_mode.hpp"
 #include "panel/editor_mode.hpp"
+#include "panel/erase_memory_mode.hpp"
+#include "panel/hand_input_mode.hpp"
+#include "panel/hand_mode.hpp"
 #include "panel/menu_mode.hpp"
+#include "panel/teach_in_mode.hpp"
 
 namespace cnclab::panel {
 
-using ActiveMode = std::variant<MenuMode, EditorMode, AutomatMode, ComingMode>;
+using ActiveMode =
+    std::variant<MenuMode, HandMode, HandInputMode, TeachInMode, AutomatMode, EditorMode, EraseMemoryMode, ComingMode>;
 
 [[nodiscard]] ActiveMode open_mode(Mode mode, ControlState& state);
 /// Called before another mode becomes active.
@@ -19,7 +24,12 @@ void close_mode(ActiveMode& mode, ControlState& state);
 
 [[nodiscard]] Mode mode_of(const ActiveMode& mode);
 [[nodiscard]] Place place_of(const ActiveMode& mode, const ControlState& state);
+/// figure   0..9 of a digit, 0..5 of a direction key
 void press(ActiveMode& mode, ControlState& state, Effect effect, int figure);
+/// Takes notice of what the machine and the time did.
+void follow(ActiveMode& mode, ControlState& state);
+/// The request is on disk and in the memory.
+void stored(ActiveMode& mode, ControlState& state, const StoreRequest& request);
 void draw(const ActiveMode& mode, const ControlState& state, Monitor& monitor);
 [[nodiscard]] std::string sentence_of(const ActiveMode& mode, const ControlState& state);
 

@@ -30,7 +30,7 @@ program::Settings interpreter_settings(const RunOrder& order, bool is_lab_machin
   for (int axis = 0; axis < 4; ++axis)
     settings.steps_per_mm[static_cast<std::size_t>(axis)] = static_cast<double>(data.get(14 + axis));
   settings.vocabulary = order.vocabulary;
-  settings.outputs_at_end_off = is_lab_machine;
+  settings.outputs_at_end_off = is_lab_machine && !order.is_single_function;
   return settings;
 }
 
@@ -54,26 +54,40 @@ bool acts_at_block_start(int m) { return m == 3 || m == 4 || m == 8 || m == 13 |
 }  // namespace
 
 std::expected<void, language::Error> Run::begin(const Connection& connection, RunOrder order) {
-  auto source =
-      program::PathSource::begin(order.programs, interpreter_settings(order, connection.is_lab_machine), order.start);
+  const program::Settings settings = interpreter_settings(order, connection.is_lab_machine);
+  auto source = program::PathSource::begin(order.programs, settings, order.start);
   if (!source) return std::unexpected(source.error());
   *this = Run{};
   connection_ = connection;
-  programs_ = std::move(order.programs);
-  first_modal_ = order.start.modal;
+  order_ = std::move(order);
   source_ = std::move(*source);
-  first_parameters_ = parameters_ = std::make_shared<const program::Parameters>(order.start.parameters);
+  first_parameters_ = parameters_ = std::make_shared<const program::Parameters>(order_.start.parameters);
   look();
-  if (connection_.is_lab_machine && seen_.is_referenced) guard_.emplace(seen_, order.data, order.start.position);
+  if (!Preflight::is_needed(order_.programs, order_.start)) return launch();
+  preflight_.emplace(order_.long_work, order_.programs, settings, order_.start);
+  const std::optional<Preflight::Result> result = preflight_->result();
+  return result ? conclude_check(*result) : std::expected<void, language::Error>{};
+}
+
+std::expected<void, language::Error> Run::conclude_check(const Preflight::Result& result) {
+  preflight_.reset();
+  sound_contours_ = result.sound_contours;
+  if (!result.error) return launch();
+  *this = Run{};
+  return std::unexpected(*result.error);
+}
+
+std::expected<void, language::Error> Run::launch() {
+  if (connection_.is_lab_machine && seen_.is_referenced) guard_.emplace(seen_, order_.data, order_.start.position);
   static_cast<void>(prepare_block());
   if (failure_) {
     auto error = std::unexpected(std::move(*failure_));
     *this = Run{};
     return error;
   }
-  const motion::Limits limits = machine::motion_limits(order.data);
+  const motion::Limits limits = machine::motion_limits(order_.data);
   look_ahead_s_ = kLeastLookAhead_s + limits.f_max_mm_per_s / limits.stop_deceleration_mm_per_s2;
-  motion::Planner* planner = connection_.channel->begin_run(connection_.epoch, order.start.position);
+  motion::Planner* planner = connection_.channel->begin_run(connection_.epoch, order_.start.position);
   if (planner != nullptr) {
     run_ = planner->run();
     feed();
@@ -96,15 +110,35 @@ bool Run::prepare_block() {
   next_item_ = 0;
   auto executed = source_->step(items_);
   guard_travel();
+  if (executed) guard_contours(*executed);
   if (!executed && !failure_) failure_ = executed.error();
   if (!executed) return true;
   const program::Interpreter& interpreter = source_->interpreter();
   if (interpreter.parameters() != *parameters_)
     parameters_ = std::make_shared<const program::Parameters>(interpreter.parameters());
-  double path_s = records_.empty() ? 0 : records_.back().path_s;
-  for (const geometry::PathItem& item : items_) path_s += seconds_of(item);
-  records_.push_back({std::move(*executed), parameters_, std::ranges::any_of(items_, is_alarm), path_s});
+  records_.push_back(
+      {std::move(*executed), parameters_, std::ranges::any_of(source_->programmed(), is_alarm), path_s_});
+  account_for_items();
   return true;
+}
+
+/// Items may come after their block, when the stages know what follows.
+void Run::account_for_items() {
+  for (const geometry::PathItem& item : items_) {
+    path_s_ += seconds_of(item);
+    if (item.sequence < records_.front().block.sequence || item.sequence > records_.back().block.sequence) continue;
+    records_[static_cast<std::size_t>(item.sequence - records_.front().block.sequence)].path_s = path_s_;
+  }
+}
+
+/// On the lab machine nothing follows a contour that nobody has checked as a whole (DEC-09).
+void Run::guard_contours(const program::ExecutedBlock& executed) {
+  if (!connection_.is_lab_machine || failure_ || source_->contours_ordered() <= sound_contours_) return;
+  failure_ = language::Error{.code = language::ErrorCode::contour_unchecked,
+                             .program = executed.source.program,
+                             .block = executed.source.block,
+                             .word = 'G'};
+  std::erase_if(items_, [&executed](const auto& item) { return item.sequence >= executed.sequence; });
 }
 
 /// A block beyond the lab machine's travel does not move at all (AUTH-011): its items are dropped, those before stay.
@@ -138,7 +172,7 @@ bool Run::is_far_enough_ahead() const {
   if (records_.empty()) return false;
   const Record* done = record(seen_.finished_sequence);
   const double done_s = done == nullptr ? 0 : done->path_s;
-  return records_.back().path_s - done_s >= look_ahead_s_ ||
+  return path_s_ - done_s >= look_ahead_s_ ||
          records_.back().block.sequence - seen_.finished_sequence >= kMostBlocksAhead;
 }
 
@@ -168,6 +202,7 @@ const Run::Record* Run::record(std::uint64_t sequence) const {
 
 Run::State Run::state() const {
   if (!is_present()) return State::none;
+  if (is_checking()) return State::running;
   if (seen_.run != run_ || seen_.tick < answer_tick_) return State::running;
   if (!seen_.started) return seen_.cause == StopCause::single_block ? State::between : State::stopped;
   switch (seen_.state) {
@@ -184,10 +219,11 @@ Run::State Run::state() const {
 }
 
 void Run::go_on() {
-  if (is_present()) go();
+  if (is_present() && !is_checking()) go();
 }
 
 void Run::stop() {
+  is_stopped_in_check_ = is_checking();
   if (is_present()) connection_.channel->stop(StopCause::operator_stop);
 }
 
@@ -211,9 +247,22 @@ bool Run::is_path_done() const {
   return next_item_ == items_.size() && connection_.channel->queue().waiting() == 0 && seen_.speed_mm_per_min == 0;
 }
 
+/// STOP during the check ends it: nothing has been started that could go on.
+std::optional<RunEnd> Run::poll_check() {
+  if (is_stopped_in_check_) return finish(RunEnd::Kind::broken);
+  const std::optional<Preflight::Result> result = preflight_->result();
+  if (!result) return std::nullopt;
+  const program::ModalState modal = order_.start.modal;
+  const program::Parameters parameters = order_.start.parameters;
+  const auto begun = conclude_check(*result);
+  if (begun) return std::nullopt;
+  return RunEnd{RunEnd::Kind::failed, StopCause::none, begun.error(), modal, parameters, {}};
+}
+
 std::optional<RunEnd> Run::poll() {
   if (!is_present()) return std::nullopt;
   look();
+  if (is_checking()) return poll_check();
   feed();
   forget_done_blocks();
   if (seen_.tick < answer_tick_) return std::nullopt;
@@ -251,7 +300,7 @@ bool Run::shows_blocks() const {
 
 program::ModalState Run::modal() const {
   const Record* done = record(seen_.finished_sequence);
-  program::ModalState modal = done == nullptr ? first_modal_ : done->block.modal;
+  program::ModalState modal = done == nullptr ? order_.start.modal : done->block.modal;
   const Record* begun = record(seen_.sequence);
   if (begun == nullptr || seen_.sequence <= seen_.finished_sequence) return modal;
   // F, S, T and the M functions of the block start are in force as soon as the block has begun (FST-009, FST-011).

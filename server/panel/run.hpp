@@ -1,5 +1,6 @@
 // One run of a program: from START until its end, abandonment or an error.
 //
+//   ProgramSet ──▶ Preflight                                  contours are checked as a whole, then it starts (DEC-09)
 //   ProgramSet ──▶ PathSource ──▶ Planner ──▶ Channel         the source runs ahead of the machine by some seconds
 //                      └─ RunRecord per block ─┐
 //   Channel::snapshot ── sequence ─────────────┴──▶ which block, which modal state the operator sees
@@ -19,6 +20,8 @@
 #include "language/error.hpp"
 #include "machine/channel.hpp"
 #include "panel/connection.hpp"
+#include "panel/long_work.hpp"
+#include "panel/preflight.hpp"
 #include "panel/travel_guard.hpp"
 #include "program/path_source.hpp"
 
@@ -30,6 +33,8 @@ struct RunOrder {
   program::Start start;  ///< its position is the machine's Istwert
   machine::MachineData data;
   language::Vocabulary vocabulary;
+  LongWork long_work = do_at_once;  ///< who checks the contours
+  bool is_single_function = false;  ///< HANDEINGABE: its end is no end of a program, spindle and coolant stay (DEC-38)
 };
 
 /// How a run ended, and the state to go on with: that of the block really executed, not of the one read ahead.
@@ -54,8 +59,10 @@ class Run {
     between,  ///< EINZELSATZ: the next block waits for START
   };
 
-  /// Begins with the first block of the order; it moves as soon as the machine has taken it up.
-  /// errors   what the first block or the program as a whole has wrong; nothing was started
+  /// Begins with the first block of the order; it moves as soon as its contours are checked and the machine has taken
+  /// it up.
+  /// errors   what the first block or the program as a whole has wrong; nothing was started. What the check finds later
+  ///          is told by `poll` as a failed run
   /// A machine that takes no command at all (its ring is full) is told by `poll` as a refused start.
   [[nodiscard]] std::expected<void, language::Error> begin(const Connection& connection, RunOrder order);
 
@@ -73,7 +80,7 @@ class Run {
   [[nodiscard]] geometry::SourceBlock shown_block() const;
   [[nodiscard]] bool shows_blocks() const;  ///< false under M21, and in subprograms under M22
   [[nodiscard]] program::ModalState modal() const;
-  [[nodiscard]] const program::ProgramSet& programs() const { return programs_; }
+  [[nodiscard]] const program::ProgramSet& programs() const { return order_.programs; }
   [[nodiscard]] bool sounds_alarm() const;  ///< M01 waits for START
 
  private:
@@ -82,11 +89,16 @@ class Run {
     program::ExecutedBlock block;
     std::shared_ptr<const program::Parameters> parameters;  ///< after the block; shared while unchanged
     bool has_alarm = false;
-    double path_s = 0;  ///< time of the path up to its end at programmed speed, from START
+    double path_s = 0;  ///< time of the path up to the end of what has come of it, at programmed speed, from START
   };
 
+  [[nodiscard]] bool is_checking() const { return preflight_.has_value(); }
+  std::expected<void, language::Error> conclude_check(const Preflight::Result& result);
+  std::expected<void, language::Error> launch();
   /// Executes the next block; false while it must wait for Input 1.
   bool prepare_block();
+  void account_for_items();
+  void guard_contours(const program::ExecutedBlock& executed);
   [[nodiscard]] bool answer_input();
   void guard_travel();
   void feed();
@@ -96,7 +108,7 @@ class Run {
   [[nodiscard]] const program::Parameters& parameters() const;
   [[nodiscard]] bool is_path_done() const;
   RunEnd finish(RunEnd::Kind kind);
-  std::optional<RunEnd> end_at_rest();
+  std::optional<RunEnd> poll_check();
   void look();
   void go();
 
@@ -106,8 +118,10 @@ class Run {
   std::uint64_t answer_tick_ = 0;     ///< from this tick on the snapshot knows of the last command
   std::uint64_t refused_before_ = 0;  ///< commands that had not been taken when START was pressed
 
-  program::ProgramSet programs_;
-  program::ModalState first_modal_;
+  RunOrder order_;
+  std::optional<Preflight> preflight_;  ///< while contours are being checked; nothing has been started then
+  std::size_t sound_contours_ = 0;      ///< so many contours, in their order, were found right
+  bool is_stopped_in_check_ = false;
   std::optional<program::PathSource> source_;
   std::optional<TravelGuard> guard_;
   std::vector<geometry::PathItem> items_;  ///< the newest finished ones, from `next_item_` still to be appended
@@ -115,6 +129,7 @@ class Run {
   std::deque<Record> records_;
   std::shared_ptr<const program::Parameters> first_parameters_, parameters_;
   std::optional<language::Error> failure_;  ///< of the block after the last record
+  double path_s_ = 0;                       ///< of all items so far
   double look_ahead_s_ = 0;
 };
 

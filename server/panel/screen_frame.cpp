@@ -77,6 +77,7 @@ std::pair<std::string, std::string> broken_at(const std::string& sentence, int c
 
 std::string keys_text(const KeyRow& row, language::Tongue tongue) {
   const std::string help(text(row.help, tongue));
+  if (row.first == Key::PLUS_X) return "±X ±Y ±Z " + help;
   if (row.first != row.last)
     return std::string(label_of(row.first)) + "-" + std::string(label_of(row.last)) + " " + help;
   return std::string(label_of(row.first)) + " " + help;
@@ -132,22 +133,22 @@ void draw_side(Canvas& canvas, const SideView& side, const Lamps& lamps, languag
     line(16, kSideColumn, text(Text::side_halt, tongue, {side.halted_by}), Attribute::inverse);
 }
 
-void draw_bottom(Canvas& canvas, const std::string& sentence, Place place, language::Tongue tongue) {
+void draw_bottom(Canvas& canvas, const std::string& sentence, Place place, const Settings& settings) {
   constexpr int kGap = 3;
   const auto [first, rest] = broken_at(sentence, Screen::kColumns);
   canvas.write(kSentenceRow, 0, first);
   if (!rest.empty()) canvas.write(kSentenceRow + 1, 0, rest);
   int row = kSentenceRow + (rest.empty() ? 1 : 2), column = 1;
   for (const KeyRow& entry : key_table()) {
-    if (entry.place != place) continue;
-    const std::string keys = keys_text(entry, tongue);
+    if (entry.place != place || !has_row(entry, settings.vocabulary)) continue;
+    const std::string keys = keys_text(entry, settings.tongue);
     const int width = columns_of(keys);
     if (column > 1 && column + width > Screen::kColumns) ++row, column = 1;
     if (row == kAllKeysRow) break;
     canvas.write(row, column, keys);
     column += width + kGap;
   }
-  canvas.write(kAllKeysRow, 1, text(Text::all_keys, tongue));
+  canvas.write(kAllKeysRow, 1, text(Text::all_keys, settings.tongue));
 }
 
 }  // namespace cnclab::panel

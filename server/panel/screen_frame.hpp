@@ -23,6 +23,6 @@ void draw_frame(Canvas& canvas);
 /// Model, title, clock, free memory (SCR-001 to SCR-006).
 void draw_header(Monitor& monitor, Mode mode, const Settings& settings, const WallClock& clock, int free_bytes);
 void draw_side(Canvas& canvas, const SideView& side, const Lamps& lamps, language::Tongue tongue);
-void draw_bottom(Canvas& canvas, const std::string& sentence, Place place, language::Tongue tongue);
+void draw_bottom(Canvas& canvas, const std::string& sentence, Place place, const Settings& settings);
 
 }  // namespace cnclab::panel

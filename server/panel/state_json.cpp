@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "panel/editor_json.hpp"
+#include "panel/hand_json.hpp"
 
 namespace cnclab::panel {
 
@@ -94,6 +95,13 @@ AutomatMode automat_of(const Json& json, const ControlState& state) {
   return mode;
 }
 
+/// Lines of what was erased are those of one session; C has to be pressed again.
+EraseMemoryMode erase_memory_of(const Json& json) {
+  EraseMemoryMode mode;
+  read_field(json, "program", mode.program);
+  return mode;
+}
+
 std::optional<Mode> mode_named(const Json& json) {
   const Json* name = member_of(json, "mode");
   if (name == nullptr || !name->is_string()) return std::nullopt;
@@ -110,6 +118,10 @@ ActiveMode active_mode_of(Mode mode, const Json& json, ControlState& state) {
   };
   if (mode == Mode::editor) return editor_of(part("editor"), state);
   if (mode == Mode::automat) return automat_of(part("automat"), state);
+  if (mode == Mode::erase_memory) return erase_memory_of(part("erase_memory"));
+  if (mode == Mode::hand) return hand_of(part("hand"));
+  if (mode == Mode::hand_input) return hand_input_of(part("hand_input"), state);
+  if (mode == Mode::teach_in) return teach_in_of(part("teach_in"), state);
   return open_mode(mode, state);
 }
 
@@ -125,7 +137,13 @@ std::string write_state(const ActiveMode& mode, const ControlState& state) {
             {"parameters", parameters_json(state.parameters)},
             {"istwert", {machine.istwert_mm[0], machine.istwert_mm[1], machine.istwert_mm[2]}},
             {"editor_program", state.editor_program},
-            {"automat_program", state.automat_program}};
+            {"automat_program", state.automat_program},
+            {"taught", taught_json(state.taught)}};
+  if (const auto* erase = std::get_if<EraseMemoryMode>(&mode))
+    json["erase_memory"]["program"] = field_json(erase->program);
+  if (const auto* hand = std::get_if<HandMode>(&mode)) json["hand"] = hand_json(*hand);
+  if (const auto* input = std::get_if<HandInputMode>(&mode)) json["hand_input"] = hand_input_json(*input);
+  if (const auto* teach_in = std::get_if<TeachInMode>(&mode)) json["teach_in"] = teach_in_json(*teach_in);
   if (const auto* editor = std::get_if<EditorMode>(&mode)) json["editor"] = editor_json(*editor);
   if (const auto* automat = std::get_if<AutomatMode>(&mode)) json["automat"] = automat_json(*automat);
   return json.dump();
@@ -140,6 +158,7 @@ ReadState read_state(const std::string& text, ControlState& state) {
   if (const Json* parameters = member_of(json, "parameters")) state.parameters = parameters_of(*parameters);
   state.editor_program = static_cast<std::uint16_t>(integer_in(json, "editor_program", 0, language::kLastProgram, 1));
   state.automat_program = static_cast<std::uint16_t>(integer_in(json, "automat_program", 0, language::kLastProgram, 1));
+  if (const Json* taught = member_of(json, "taught")) state.taught = taught_of(*taught);
   if (const Json* istwert = member_of(json, "istwert");
       istwert != nullptr && istwert->is_array() && istwert->size() == 3) {
     read.istwert_mm.emplace();

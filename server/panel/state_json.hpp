@@ -1,7 +1,7 @@
 // What outlives a login: a control's state as JSON (SEAT-002, SEAT-004), always coming back in STOP.
 //
 //   { "v": 1, "mode": "EINGABEMODUS", "override": 80, "modal": {…}, "parameters": {"4": 25000000}, "istwert": [0,0,0],
-//     "editor_program": 1, "automat_program": 1, "editor": {…}, "automat": {…} }
+//     "editor_program": 1, "automat_program": 1, "taught": {…}, "editor": {…} }
 //
 // Lengths are mm in "istwert", everything else is in the units of the structs. Reading takes any text: what is missing,
 // of another type or out of range keeps its default.

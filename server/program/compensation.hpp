@@ -16,6 +16,9 @@ namespace cnclab::program {
 /// errors: compensation_impossible
 [[nodiscard]] Outcome check_uncompensated(const BlockRun& run);
 
+/// What an earlier run has left on the axes (D-75): the plane's two are led back together, unless G43, G44 move each.
+void begin_compensated(ExecutionState& state, const std::array<double, 3>& compensation_mm);
+
 /// Keeps account of the axes whose path may lie beside the programmed position after the way to `target`.
 void follow_compensation(ExecutionState& state, const Target& target);
 

@@ -1,4 +1,6 @@
 // Compensation: G40 to G46 become orders to the stages that move the path (G-400 to G-461; D-64, D-72, D-74).
+#include <cmath>
+
 #include "program/compensation.hpp"
 #include "program/words.hpp"
 
@@ -51,6 +53,10 @@ bool follows_contour(RadiusCompensation radius) {
   return radius == RadiusCompensation::left || radius == RadiusCompensation::right;
 }
 
+bool moves_each_axis(RadiusCompensation radius) {
+  return radius == RadiusCompensation::plus || radius == RadiusCompensation::minus;
+}
+
 AxisSet moved_axes(const ExecutionState& state, const Target& target) {
   AxisSet moved = 0;
   for (std::size_t axis = 0; axis < target.programmed_nm.size(); ++axis)
@@ -58,10 +64,12 @@ AxisSet moved_axes(const ExecutionState& state, const Target& target) {
   return moved;
 }
 
-/// `touched` axes get the compensation that is on, or lose the one that is off.
-void shift(AxisSet& shifted, AxisSet touched, bool is_on) {
-  shifted = static_cast<AxisSet>(is_on ? shifted | touched : shifted & ~touched);
+AxisSet axes_of(geometry::Plane plane) {
+  const auto [first, second] = indices_of(plane).in_plane;
+  return static_cast<AxisSet>(axis_bit(first) | axis_bit(second));
 }
+
+AxisSet without(AxisSet axes, AxisSet removed) { return static_cast<AxisSet>(axes & ~removed); }
 
 }  // namespace
 
@@ -70,7 +78,7 @@ bool is_compensating(const ModalState& modal) {
 }
 
 bool is_path_compensated(const ExecutionState& state) {
-  return is_compensating(state.modal) || state.shifted_axes != 0;
+  return is_compensating(state.modal) || state.shifted_axes != 0 || state.contour_axes != 0;
 }
 
 Outcome check_uncompensated(const BlockRun& run) {
@@ -79,21 +87,37 @@ Outcome check_uncompensated(const BlockRun& run) {
                   "G" + std::to_string(run.block.function.code), "G40, G45");
 }
 
-/// Length: each way that names the perpendicular axis (COMP-015). G43, G44: each axis with a way that names it (D-72).
-/// G41, G42: both axes together, with a way in the plane (COMP-005, COMP-006).
+void begin_compensated(ExecutionState& state, const std::array<double, 3>& compensation_mm) {
+  constexpr double kSmallest_mm = 1e-6;
+  AxisSet shifted = 0;
+  for (std::size_t axis = 0; axis < compensation_mm.size(); ++axis)
+    if (std::abs(compensation_mm[axis]) >= kSmallest_mm) shifted |= axis_bit(axis);
+  const AxisSet plane = axes_of(state.modal.plane);
+  const bool together = !moves_each_axis(state.modal.radius) && (shifted & plane) != 0;
+  state.contour_axes = together ? plane : AxisSet{0};
+  state.shifted_axes = together ? without(shifted, plane) : shifted;
+}
+
+/// Entered: a contour with a way in the plane (COMP-005), G43 and G44 by each axis that moves (D-72), the length by a
+/// way that names its axis (COMP-015). Left: by a way that names the axis, or one of the contour's (COMP-006).
 void follow_compensation(ExecutionState& state, const Target& target) {
-  const ModalState& modal = state.modal;
   if (!is_path_compensated(state)) return;
-  const PlaneIndices axes = indices_of(modal.plane);
-  const AxisSet normal = axis_bit(axes.normal);
-  const auto plane = static_cast<AxisSet>(axis_bit(axes.in_plane[0]) | axis_bit(axes.in_plane[1]));
-  shift(state.shifted_axes, target.named_axes & normal, modal.length_compensation && modal.tool_length.value != 0);
-  const bool is_on = modal.radius != RadiusCompensation::off;
-  if (is_on) state.is_contour_shifted = follows_contour(modal.radius);
-  const AxisSet touched = !state.is_contour_shifted                  ? target.named_axes & plane
-                          : (moved_axes(state, target) & plane) != 0 ? plane
-                                                                     : AxisSet{0};
-  shift(state.shifted_axes, touched, is_on && modal.tool_radius.value != 0);
+  const ModalState& modal = state.modal;
+  const AxisSet plane = axes_of(modal.plane), named = target.named_axes;
+  const auto moved_in_plane = static_cast<AxisSet>(moved_axes(state, target) & plane);
+  const bool has_radius = modal.tool_radius.value != 0;
+  if (follows_contour(modal.radius)) {
+    if (has_radius && moved_in_plane != 0) state.contour_axes = plane;
+  } else if ((named & state.contour_axes) != 0) {
+    state.contour_axes = 0;
+  }
+  if (moves_each_axis(modal.radius)) {  // an axis that is named without a way keeps what it has
+    state.shifted_axes = without(state.shifted_axes, without(named, plane) | moved_in_plane);
+    if (has_radius) state.shifted_axes |= moved_in_plane;
+  } else {
+    state.shifted_axes = without(state.shifted_axes, named);
+  }
+  if (modal.tool_length.value != 0) state.shifted_axes |= without(named, plane);
 }
 
 void take_radius(ModalState& modal, const ProgramSet& programs) {
@@ -105,7 +129,8 @@ void take_length(ModalState& modal, const ProgramSet& programs) {
 }
 
 void announce_compensation(BlockRun& run) {
-  if (run.state.modal.radius != RadiusCompensation::off) order_radius(run);
+  // The plane of what is left over is that of the start.
+  if (run.state.modal.radius != RadiusCompensation::off || run.state.contour_axes != 0) order_radius(run);
   if (run.state.modal.length_compensation) order_length(run);
 }
 

@@ -81,8 +81,8 @@ Interpreter::Interpreter(ProgramSet programs, Settings settings, const Start& st
     double& path_mm = state_.path.*kPathAxes[axis];
     path_mm -= start.compensation_mm[axis];
     state_.programmed_nm[axis] = to_nm(path_mm);
-    if (to_nm(start.compensation_mm[axis]) != 0) state_.shifted_axes |= axis_bit(axis);
   }
+  begin_compensated(state_, start.compensation_mm);
   const language::Program* program = programs_.find(start.program);
   const std::size_t index = program->find(start.block).value_or(0);
   levels_.push_back({.program = program, .next = index, .called = program, .entry = index, .repeats_left = 0});

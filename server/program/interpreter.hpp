@@ -73,9 +73,10 @@ struct ExecutionState {
   /// X, Y, Z in µm as the running ROM program would have them without scale factors (DEC-51); set by each cycle,
   /// without meaning outside.
   std::array<std::int64_t, 3> unscaled_um{};
-  geometry::Point path;      ///< end of the path so far; an axis that does not move keeps its value to the last bit
-  AxisSet shifted_axes = 0;  ///< axes whose path may lie beside this one: compensation has moved them (D-75)
-  bool is_contour_shifted = false;  ///< by G41, G42, which is left with both axes at once; else axis by axis
+  geometry::Point path;  ///< end of the path so far; an axis that does not move keeps its value to the last bit
+  /// Axes whose path may lie beside this one, because compensation has moved them and they have yet to be led back:
+  /// each with a way of its own (G43, G44, G46), or both of a plane together (G41, G42).
+  AxisSet shifted_axes = 0, contour_axes = 0;
 };
 
 /// One level of calls: level 0 is the main program.

@@ -30,6 +30,11 @@ language::ErrorCode code_of(StageFault::Kind kind) {
   return ErrorCode::compensation_impossible;
 }
 
+bool is_contour_order(const geometry::PathItem& item) {
+  const auto* order = std::get_if<geometry::RadiusOffset>(&item.what);
+  return order != nullptr && (order->side == geometry::OffsetSide::left || order->side == geometry::OffsetSide::right);
+}
+
 }  // namespace
 
 language::Error error_of(const StageFault& fault) {
@@ -53,31 +58,36 @@ std::expected<PathSource, language::Error> PathSource::begin(ProgramSet programs
 PathSource::PathSource(Interpreter interpreter, const Start& start)
     : interpreter_(std::move(interpreter)), stages_(start.compensation_mm) {}
 
-std::expected<ExecutedBlock, language::Error> PathSource::step(std::vector<geometry::PathItem>& out) {
+std::expected<ExecutedBlock, language::Error> PathSource::step(std::vector<geometry::PathItem>& out,
+                                                               geometry::ContourCheck* check) {
   if (fault_) return std::unexpected(*fault_);
   programmed_.clear();
   auto executed = interpreter_.step(programmed_);
-  if (auto passed = pass_on(out); !passed) return std::unexpected(passed.error());
+  if (auto passed = pass_on(out, check); !passed) return std::unexpected(passed.error());
   if (!executed || executed->ended)
-    if (auto flushed = flush(out); !flushed) return std::unexpected(flushed.error());
+    if (auto flushed = flush(out, check); !flushed) return std::unexpected(flushed.error());
   if (!executed) fault_ = executed.error();
   return executed;
 }
 
-std::expected<void, language::Error> PathSource::pass_on(std::vector<geometry::PathItem>& out) {
+std::expected<void, language::Error> PathSource::pass_on(std::vector<geometry::PathItem>& out,
+                                                         geometry::ContourCheck* check) {
   for (const geometry::PathItem& item : programmed_) {
-    if (auto pushed = stages_.push(item, out); pushed)
-      continue;
-    else
-      fault_ = error_of(pushed.error());
+    if (is_contour_order(item)) ++contours_ordered_;
+    auto pushed = stages_.push(item, out, check);
+    if (pushed) continue;
+    has_contour_fault_ = true;
+    fault_ = error_of(pushed.error());
     return std::unexpected(*fault_);
   }
   return {};
 }
 
-std::expected<void, language::Error> PathSource::flush(std::vector<geometry::PathItem>& out) {
+std::expected<void, language::Error> PathSource::flush(std::vector<geometry::PathItem>& out,
+                                                       geometry::ContourCheck* check) {
   if (fault_) return std::unexpected(*fault_);
-  if (auto flushed = stages_.flush(out); !flushed) {
+  if (auto flushed = stages_.flush(out, check); !flushed) {
+    has_contour_fault_ = true;
     fault_ = error_of(flushed.error());
     return std::unexpected(*fault_);
   }

@@ -26,10 +26,18 @@ class PathSource {
   /// errors   of the interpreter, or a contour that cannot be followed (compensation_impossible and its like, naming
   ///          the block to blame, which may be an earlier one). What was appended is right and ends at rest; after an
   ///          error further calls return the same.
-  [[nodiscard]] std::expected<ExecutedBlock, language::Error> step(std::vector<geometry::PathItem>& out);
+  /// check    hears of every compensated contour, to find where it cuts into itself; may be null
+  [[nodiscard]] std::expected<ExecutedBlock, language::Error> step(std::vector<geometry::PathItem>& out,
+                                                                   geometry::ContourCheck* check = nullptr);
 
   /// Nothing follows for now: finishes what the stages hold back (a single block in HANDEINGABE, D-75).
-  [[nodiscard]] std::expected<void, language::Error> flush(std::vector<geometry::PathItem>& out);
+  [[nodiscard]] std::expected<void, language::Error> flush(std::vector<geometry::PathItem>& out,
+                                                           geometry::ContourCheck* check = nullptr);
+
+  /// Did a stage fail, not a block?
+  [[nodiscard]] bool has_contour_fault() const { return has_contour_fault_; }
+  /// How many blocks so far have switched on G41 or G42 (one that a run finds in force counts too).
+  [[nodiscard]] std::size_t contours_ordered() const { return contours_ordered_; }
 
   /// Is a way held back until the next block is known?
   [[nodiscard]] bool holds_items() const { return stages_.holds(); }
@@ -45,12 +53,14 @@ class PathSource {
 
  private:
   PathSource(Interpreter interpreter, const Start& start);
-  std::expected<void, language::Error> pass_on(std::vector<geometry::PathItem>& out);
+  std::expected<void, language::Error> pass_on(std::vector<geometry::PathItem>& out, geometry::ContourCheck* check);
 
   Interpreter interpreter_;
   geometry::PathStages stages_;
   std::vector<geometry::PathItem> programmed_;  ///< of the newest block, before the stages
   std::optional<language::Error> fault_;
+  bool has_contour_fault_ = false;
+  std::size_t contours_ordered_ = 0;
 };
 
 /// The control's error for a contour that cannot be followed.

@@ -3,8 +3,10 @@
 
 #include <cstdio>
 #include <ctime>
+#include <optional>
+#include <string>
 
-#include "language/screen_form.hpp"
+#include "language/listing.hpp"
 #include "tool/job.hpp"
 #include "tool/text_file.hpp"
 
@@ -12,43 +14,52 @@ namespace cnclab::tool {
 
 namespace {
 
-std::string tape_of(const Job& job) {
-  std::string text;
-  for (const std::uint16_t number : job.in_file_order) {
-    const language::Program& program = *job.programs.find(number);
-    text += language::write_program(program);
-    if (!text.ends_with('\n')) text += '\n';
-  }
-  return text + "%\n";
-}
-
-/// The plane whose words the listing shows where a block could be of several (D-54).
-language::Plane plane_behind(const language::Block& block, language::Plane plane) {
-  if (block.function.kind != language::Function::Kind::g) return plane;
-  if (block.function.code == 17) return language::Plane::xy;
-  if (block.function.code == 18) return language::Plane::xz;
-  if (block.function.code == 19) return language::Plane::yz;
-  return plane;
-}
-
-/// The printed form: number, date line with the time of printing, one line per block, "%" (EXT-005, D-108).
-std::string listing_of(const Job& job) {
+/// "09:00:00 16/06/83": the time of printing (D-108).
+std::string time_stamp() {
   const std::time_t now = std::time(nullptr);
   std::tm local{};
   localtime_r(&now, &local);
-  const std::string date = fmt::format("({:02}:{:02}:{:02} {:02}/{:02}/{:02})", local.tm_hour, local.tm_min,
-                                       local.tm_sec, local.tm_mday, local.tm_mon + 1, local.tm_year % 100);
-  std::string text;
+  return fmt::format("{:02}:{:02}:{:02} {:02}/{:02}/{:02}", local.tm_hour, local.tm_min, local.tm_sec, local.tm_mday,
+                     local.tm_mon + 1, local.tm_year % 100);
+}
+
+/// A listing may show damaged blocks; a tape has no mark for them. Prints each.
+bool has_damaged_block(const Job& job) {
+  bool is_found = false;
   for (const std::uint16_t number : job.in_file_order) {
-    const language::Program& program = *job.programs.find(number);
-    text += fmt::format("P{:04}\n\n{}\n\n", program.number, date);
-    language::Plane plane = language::Plane::xy;
-    for (const language::Block& block : program.blocks) {
-      text += language::block_line(block, language::plane_of_words(block, plane), job.tongue) + '\n';
-      plane = plane_behind(block, plane);
+    for (const language::Block& block : job.programs.find(number)->blocks) {
+      if (!block.is_damaged) continue;
+      is_found = true;
+      job.print({.code = language::ErrorCode::checksum_wrong,
+                 .program = number,
+                 .block = block.number,
+                 .in_tool_table = number == language::kToolTable});
     }
-    text += "%\n";
   }
+  return is_found;
+}
+
+/// The tape, or nothing after what it cannot hold was printed.
+std::optional<std::string> tape_of(const Job& job) {
+  if (has_damaged_block(job)) return std::nullopt;
+  std::string text;
+  for (const std::uint16_t number : job.in_file_order) text += language::write_program(*job.programs.find(number));
+  return text + language::write_machine_data(job.recorded_data) + "%\n";
+}
+
+/// The printed form (EXT-005), or nothing after what it cannot hold was printed.
+std::optional<std::string> listing_of(const Job& job) {
+  if (!job.recorded_data.empty()) {
+    print_problem(
+        fmt::format("{}:{}", job.file, job.recorded_data.front().line),
+        say(job.tongue, "Maschinendaten stehen in keiner Liste. Abschnitt MD entfernen oder --to cnc3300 nehmen.",
+            "a listing holds no machine data. Remove the section MD or use --to cnc3300."));
+    return std::nullopt;
+  }
+  const std::string time = time_stamp();
+  std::string text;
+  for (const std::uint16_t number : job.in_file_order)
+    text += language::write_listing(*job.programs.find(number), time, job.tongue);
   return text;
 }
 
@@ -64,8 +75,9 @@ int convert(const Options& options) {
   }
   const auto job = open_sound_job(options);
   if (!job) return kExitError;
-  const std::string text = options.target == "listing" ? listing_of(*job) : tape_of(*job);
-  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size() && std::fflush(stdout) == 0;
+  const auto text = options.target == "listing" ? listing_of(*job) : tape_of(*job);
+  if (!text) return kExitError;
+  const bool written = std::fwrite(text->data(), 1, text->size(), stdout) == text->size() && std::fflush(stdout) == 0;
   if (!written) print_problem("stdout", say(options.tongue, "Schreiben nicht möglich.", "cannot write."));
   return written ? 0 : kExitError;
 }

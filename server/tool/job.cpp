@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "language/program_text.hpp"
 #include "tool/text_file.hpp"
 
 namespace cnclab::tool {
@@ -40,14 +41,15 @@ bool read_programs(const Options& options, Job& job) {
     print_problem(options.file, text.error());
     return false;
   }
-  language::Tape tape = language::read_tape(*text, reading_of(options), options.tongue);
-  if (tape.programs.empty() && tape.errors.empty() && tape.notices.empty()) {
+  language::Tape tape = language::read_programs_text(*text, reading_of(options), options.tongue);
+  if (tape.programs.empty() && tape.machine_data.empty() && tape.errors.empty() && tape.notices.empty()) {
     print_problem(options.file, say(options.tongue, "enthält kein Programm. Erwartet wird z. B. P0001N001G00X+1000%.",
                                     "holds no program. Expected is e.g. P0001N001G00X+1000%."));
     return false;
   }
   job.tape_errors = std::move(tape.errors);
   job.notices = std::move(tape.notices);
+  job.recorded_data = std::move(tape.machine_data);
   for (language::ReadProgram& read : tape.programs) {
     const std::uint16_t number = read.program.number;
     job.in_file_order.push_back(number);
@@ -64,7 +66,7 @@ bool read_tools(const Options& options, Job& job) {
     print_problem(options.tools_file, text.error());
     return false;
   }
-  language::Tape tape = language::read_tape(*text, reading_of(options), options.tongue);
+  language::Tape tape = language::read_programs_text(*text, reading_of(options), options.tongue);
   Job tools_job;
   tools_job.file = options.tools_file;
   tools_job.tongue = options.tongue;

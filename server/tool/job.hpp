@@ -17,8 +17,9 @@ namespace cnclab::tool {
 struct Job {
   std::string file;
   language::Tongue tongue = language::Tongue::english;
-  program::ProgramSet programs;              ///< those of FILE, with the tool table of --tools
-  std::vector<std::uint16_t> in_file_order;  ///< their numbers as they stand in FILE
+  program::ProgramSet programs;                       ///< those of FILE, with the tool table of --tools
+  std::vector<std::uint16_t> in_file_order;           ///< their numbers as they stand in FILE
+  std::vector<language::MachineDatum> recorded_data;  ///< machine data in FILE; they are converted, never run with
   machine::MachineData data;
   program::Settings settings;
   program::Start start;

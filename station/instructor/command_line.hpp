@@ -26,6 +26,7 @@ struct Command {
   v1::InstructorRequest request;
   bool changes_own_password = false;   ///< `passwd`: the new password comes from the access options or the terminal
   std::filesystem::path content_file;  ///< where the content goes that comes as chunks; empty: none is expected
+  bool is_collection = false;          ///< the content is everybody's programs: one file for each beside content_file
 };
 
 struct CommandLine {

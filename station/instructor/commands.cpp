@@ -286,10 +286,13 @@ void add_program_copies(Table& program) {
   send.add_flag("--replace", *replace, "also where a program of that number exists");
   const auto folder = value<std::string>();
   const auto wanted = value<std::string>();
-  auto& collect = program.add("collect", "collects everybody's programs into one file of a folder", [=](Command& c) {
-    c.request.mutable_program_collect()->set_program(wanted->empty() ? 0 : program_number(*wanted).value_or(0));
-    c.content_file = std::filesystem::path(*folder) / "programs.tape";
-  });
+  auto& collect =
+      program.add("collect", "collects everybody's programs into a folder, NAME.tape each", [=](Command& c) {
+        c.request.mutable_program_collect()->set_program(program_number(*wanted).value_or(0));
+        c.request.mutable_program_collect()->set_only_that(!wanted->empty());
+        c.content_file = std::filesystem::path(*folder) / ".cnclab-collected";
+        c.is_collection = true;
+      });
   needed(collect, "folder", folder, "folder to write into")->check(CLI::ExistingDirectory);
   collect.add_option("program", *wanted, "only this one")->check(program_name());
 }

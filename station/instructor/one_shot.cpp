@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "instructor/bulk_file.hpp"
+#include "instructor/collection.hpp"
 #include "instructor/item_text.hpp"
 #include "instructor/prompts.hpp"
 
@@ -22,10 +23,26 @@ void print(const v1::InstructorItem& item, std::FILE* out) {
   std::fflush(out);
 }
 
-void print_done(std::FILE* out) {
+void print_done(std::FILE* out, const std::string& detail = {}) {
   v1::InstructorItem done;
   done.mutable_done()->set_ok(true);
+  done.mutable_done()->set_detail(detail);
   print(done, out);
+}
+
+/// False when nobody reads the output any more.
+bool print(const Screen& screen, std::FILE* out) {
+  v1::InstructorItem item;
+  for (int row = 0; row < Screen::kRows; ++row) item.mutable_screen()->add_rows(screen.text(row));
+  print(item, out);
+  return std::ferror(out) == 0;
+}
+
+Result<void> split(const std::filesystem::path& collection, std::FILE* out) {
+  const auto files = split_collection(collection, collection.parent_path());
+  if (!files) return std::unexpected(files.error());
+  for (const auto& file : *files) print_done(out, file.string());
+  return {};
 }
 
 /// `passwd`: a forced change has already done it.
@@ -48,10 +65,17 @@ std::expected<std::string, Failure> asked_password() {
 }
 
 awaitable<Result<void>> carry_out(station::Client& client, Command& command, std::FILE* out) {
+  if (command.request.has_watch()) {
+    ScreenSink to_screen = [out](const Screen& screen) { return print(screen, out); };
+    co_return co_await follow_screen(client, std::move(command.request), std::move(to_screen));
+  }
   std::optional<BulkFile> file;
   if (!command.content_file.empty()) file.emplace(command.content_file);
   Sink to_output = [out](const v1::InstructorItem& item) { print(item, out); };
-  co_return co_await ask(client, std::move(command.request), std::move(to_output), file ? &*file : nullptr);
+  auto done = co_await ask(client, std::move(command.request), std::move(to_output), file ? &*file : nullptr);
+  if (done && command.is_collection) co_return split(command.content_file, out);
+  if (done && file) print_done(out, command.content_file.string());
+  co_return done;
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <variant>
 
 #include "instructor/prompts.hpp"
+#include "shared/frame.hpp"
+#include "shared/screen_wire.hpp"
 #include "station/login.hpp"
 
 namespace cnclab::instructor {
@@ -123,6 +125,8 @@ awaitable<Result<void>> ask(Client& client, v1::InstructorRequest request, Sink 
   request.set_number(1);
   v1::ClientMessage message;
   *message.mutable_request() = std::move(request);
+  if (message.ByteSizeLong() > kLargestFrame)
+    co_return std::unexpected(Failure{kRefused, "the file is too large: at most 60000 bytes at a time"});
   const auto sent = co_await send(client, message);
   if (!sent) co_return sent;
   Progress progress;
@@ -138,6 +142,28 @@ awaitable<Result<void>> ask(Client& client, v1::InstructorRequest request, Sink 
     co_return std::unexpected(Failure{kRefused, "the server sent no content"});
   }
   co_return Result<void>();
+}
+
+awaitable<Result<void>> follow_screen(Client& client, v1::InstructorRequest request, ScreenSink sink) {
+  request.set_number(1);
+  v1::ClientMessage message;
+  *message.mutable_request() = std::move(request);
+  if (const auto sent = co_await send(client, message); !sent) co_return sent;
+  Screen screen;
+  for (;;) {
+    const auto received = co_await next_message(client);
+    if (!received) co_return std::unexpected(received.error());
+    if (received->has_answer() && !received->answer().error().empty())
+      co_return std::unexpected(Failure{kRefused, received->answer().error()});
+    if (!received->has_screen()) continue;
+    auto newer = apply_rows(screen, received->screen());
+    if (!newer) co_return std::unexpected(failure(ExitCode::server_ended, "a malformed screen: " + newer.error()));
+    screen = std::move(*newer);
+    v1::ClientMessage acknowledgement;
+    acknowledgement.mutable_screen_ack()->set_number(received->screen().number());
+    if (const auto sent = co_await send(client, acknowledgement); !sent) co_return sent;
+    if (!sink(screen)) co_return Result<void>();
+  }
 }
 
 awaitable<void> log_out(Client& client) {

@@ -11,6 +11,7 @@
 #include "instructor/bulk_file.hpp"
 #include "instructor/command_line.hpp"
 #include "instructor/failure.hpp"
+#include "shared/screen.hpp"
 #include "station/client.hpp"
 
 namespace cnclab::instructor {
@@ -44,6 +45,15 @@ using Sink = std::function<void(const v1::InstructorItem&)>;
 [[nodiscard]] boost::asio::awaitable<std::expected<void, Failure>> ask(station::Client& client,
                                                                        v1::InstructorRequest request, Sink sink,
                                                                        BulkFile* file);
+
+/// Shows each new screen; false when nobody looks any more.
+using ScreenSink = std::function<bool(const Screen&)>;
+
+/// `watch`: the station's screen now and whenever it changes, until `sink` has seen enough.
+/// errors: as `ask`
+[[nodiscard]] boost::asio::awaitable<std::expected<void, Failure>> follow_screen(station::Client& client,
+                                                                                 v1::InstructorRequest request,
+                                                                                 ScreenSink sink);
 
 /// Tells the server that this client leaves; errors do not matter any more.
 [[nodiscard]] boost::asio::awaitable<void> log_out(station::Client& client);

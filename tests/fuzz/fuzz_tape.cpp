@@ -1,11 +1,14 @@
 // Feeds any bytes to the tape reader: it must come to an end without harm, and what it has read must come back equal
-// when it is written and read again. Every other reader and printer of a block sees the result too.
+// when it is written and read again, as a tape and as a listing. Every other reader and printer of a block sees the
+// result too.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 #include <string_view>
 
 #include "language/check_block.hpp"
+#include "language/listing.hpp"
+#include "language/program_text.hpp"
 #include "language/screen_form.hpp"
 #include "language/tape.hpp"
 
@@ -35,19 +38,38 @@ void check_stored_blocks(const language::Program& program) {
   static_cast<void>(language::check_program(program, {}, nullptr));
 }
 
+/// Programs and machine data as one recording.
+std::string written_form(const language::Tape& tape) {
+  std::string text;
+  for (const language::ReadProgram& read : tape.programs) text += language::write_program(read.program);
+  return text + language::write_machine_data(tape.machine_data);
+}
+
+void require_same_programs(const language::Tape& a, const language::Tape& b) {
+  require(b.errors.empty() && a.programs.size() == b.programs.size());
+  for (std::size_t i = 0; i < a.programs.size(); ++i) require(a.programs[i].program == b.programs[i].program);
+}
+
+void check_listing(const language::Tape& tape) {
+  std::string listing;
+  for (const language::ReadProgram& read : tape.programs)
+    listing += language::write_listing(read.program, "09:00:00 16/06/83", language::Tongue::german);
+  require_same_programs(tape, language::read_listing(listing));
+  require_same_programs(tape, language::read_programs_text(listing, language::Reading::file));
+}
+
 void check_round_trip(std::string_view text, language::Reading reading) {
   const language::Tape first = language::read_tape(text, reading);
   check_errors(first);
-  std::string written;
   for (const language::ReadProgram& read : first.programs) {
     check_stored_blocks(read.program);
     require(read.lines.size() == read.program.blocks.size());
-    written += language::write_program(read.program);
   }
+  const std::string written = written_form(first);
   const language::Tape second = language::read_tape(written, reading);
-  require(second.errors.empty() && second.programs.size() == first.programs.size());
-  for (std::size_t i = 0; i < first.programs.size(); ++i)
-    require(second.programs[i].program == first.programs[i].program);
+  require_same_programs(first, second);
+  require(written_form(second) == written);
+  check_listing(first);
 }
 
 }  // namespace

@@ -102,7 +102,7 @@ std::vector<Row> rows() {
       {"INS-003 program send --all",
        {"program", "send", tape(), "--all", "--replace"},
        R"(program_send{tape:"P0001\nN001G00X+1000\n%\n" all:true replace:true})"},
-      {"INS-003 program collect", {"program", "collect", "/tmp", "P0001"}, "program_collect{program:1}"},
+      {"INS-003 program collect", {"program", "collect", "/tmp", "P0001"}, "program_collect{program:1 only_that:true}"},
       {"STO-005 program versions",
        {"program", "versions", "anna", "P0001"},
        R"(program_versions{student:"anna" program:1})"},

@@ -67,5 +67,26 @@ TEST(StoredControl, StoresWhatAControlAsksFor) {
   EXPECT_FALSE(program->blocks[1].is_damaged) << "EDIT-020: the raised number has its own check code";
 }
 
+TEST(StoredControl, MOD_077_STO_005_ErasingTheWholeMemoryResetsTheMachineDataAndKeepsTheVersions) {
+  auto database = db::Database::open(":memory:").value();
+  db::Person person;
+  person.name = "eva";
+  person.role = "student";
+  const auto id = database.add_person(person, 1).value();
+  const db::Author author{"eva", 3, 1};
+  carry_out(database, id, panel::PutBlock{1, block_of("N001G90")}, author);
+  carry_out(database, id, panel::PutBlock{0, block_of("T001R+5000", 0)}, author);
+  machine::MachineData data;
+  ASSERT_TRUE(data.set(6, 2000));
+  carry_out(database, id, panel::PutMachineData{data}, author);
+  carry_out(database, id, panel::EraseMemory{{0, 1}, {}}, author);
+  const auto stored = read_control(database, id);
+  EXPECT_TRUE(memory_of(stored.programs, 16384).programs().empty());
+  EXPECT_EQ(machine_data_of(stored.machine_data), machine::MachineData{});
+  const auto versions = database.versions(id, 1);
+  ASSERT_EQ(versions.size(), 2U);
+  EXPECT_EQ(database.program_at(id, 1, versions.front().version).value(), std::vector<std::string>{"N001G90"});
+}
+
 }  // namespace
 }  // namespace cnclab::lab

@@ -33,6 +33,13 @@ TEST(ErrorText, MonitorTextsOfManualAndDecisions_ERR_001_to_004_DEC_50) {
       {ErrorCode::plane_wrong, "Falsche Ebene"},
       {ErrorCode::arc_wrong, "Kreis falsch"},
       {ErrorCode::compensation_impossible, "Korrektur nicht moeglich"},
+      {ErrorCode::arc_at_entry_or_exit, "Korrektur nicht moeglich"},
+      {ErrorCode::inside_arc_too_small, "Korrektur nicht moeglich"},
+      {ErrorCode::no_intersection, "Korrektur nicht moeglich"},
+      {ErrorCode::runs_backwards, "Korrektur nicht moeglich"},
+      {ErrorCode::too_close, "Korrektur nicht moeglich"},
+      {ErrorCode::rounding_without_lines, "Kreis falsch"},
+      {ErrorCode::rounding_too_large, "Kreis falsch"},
       {ErrorCode::scale_not_allowed, "Skalenfaktor unzulaessig"},
       {ErrorCode::m_unknown, "M nicht vorgesehen"},
       {ErrorCode::cycle_value_wrong, "Zykluswert falsch"},
@@ -78,6 +85,39 @@ TEST(ErrorText, SaysBlockWordValueLimitAndRemedy_DEC_01) {
   EXPECT_EQ(explain(error, Tongue::german), "P0001 N003: F 4000 ist nicht erlaubt, richtig: 0001..3000. Wert ändern.");
   EXPECT_EQ(explain(error, Tongue::english), "P0001 N003: F 4000 is not allowed, right: 0001..3000. Change the value.");
   EXPECT_EQ(message_of(error, Tongue::german), "F 4000 ist nicht erlaubt, richtig: 0001..3000. Wert ändern.");
+}
+
+TEST(ErrorText, ContoursThatCannotBeFollowedSayWhy_DEC_09_D_66_D_71) {
+  struct Row {
+    ErrorCode code;
+    std::string detail, expected;
+    std::string_view german, english;
+  };
+  const Row rows[] = {
+      {ErrorCode::arc_at_entry_or_exit, "", "", "Der Satz: An- und Abfahren nur auf Geraden. G01 statt Bogen nehmen.",
+       "The block: enter and leave a contour on lines. Use G01, no arc."},
+      {ErrorCode::inside_arc_too_small, "R 5.000", "R < 4.000",
+       "R 5.000: Innenbogen zu klein für das Werkzeug, richtig: R < 4.000. Kleineres nehmen.",
+       "R 5.000: inside arc too small for the tool, right: R < 4.000. Use a smaller one."},
+      {ErrorCode::no_intersection, "", "", "Der Satz: an der Innenecke schneiden sich die Bahnen nicht. Kontur ändern.",
+       "The block: the paths do not meet at the inside corner. Change contour."},
+      {ErrorCode::runs_backwards, "", "", "Der Satz: zu kurz für das Werkzeug, liefe rückwärts. Kontur ändern.",
+       "The block: too short for the tool, would run backwards. Change contour."},
+      {ErrorCode::too_close, "N007", "", "Werkzeug würde in N007 schneiden. Kontur ändern oder kleineres nehmen.",
+       "Tool would cut into N007. Change the contour or use a smaller one."},
+      {ErrorCode::rounding_without_lines, "", "", "Der Satz: G10 rundet nur zwischen zwei G01 der Ebene. Sätze prüfen.",
+       "The block: G10 rounds only between two G01 of the plane. Check them."},
+      {ErrorCode::rounding_too_large, "R 8.000", "R < 6.000",
+       "R 8.000: Rundung passt nicht in beide Geraden, richtig: R < 6.000. R verkleinern.",
+       "R 8.000: rounding does not fit into both lines, right: R < 6.000. Use a smaller R."},
+      {ErrorCode::checksum_wrong, "", "", "Der Satz ist im Speicher beschädigt. Löschen und neu eingeben.",
+       "The block is damaged in memory. Delete and enter it again."},
+  };
+  for (const Row& row : rows) {
+    const Error error{.code = row.code, .program = 1, .block = 3, .detail = row.detail, .expected = row.expected};
+    EXPECT_EQ(message_of(error, Tongue::german), row.german);
+    EXPECT_EQ(message_of(error, Tongue::english), row.english);
+  }
 }
 
 TEST(ErrorText, PlaceAsFarAsKnown) {

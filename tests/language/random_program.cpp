@@ -40,6 +40,8 @@ std::int32_t random_number(const BlockForm& form, std::size_t place) {
   if (is_cycle && address == Address::Y && form.function.code == 84) most = 0;
   if (address == Address::H && !is_cycle) least = 1;
   if (form.function.kind == Kind::tool && address == Address::R) least = 0;
+  if (form.function == Function{Kind::g, 10}) least = 1;
+  if (address == Address::P) most = 9980;
   if (address == Address::operand && place == 0) most = 63;
   if (address != Address::M) return *rc::gen::inRange<std::int32_t>(least, most + 1);
   return *rc::gen::suchThat(rc::gen::inRange<std::int32_t>(0, 99), is_known_m);

@@ -118,6 +118,24 @@ TEST(ChannelAuthority, AUTH002NewLeaseEndsTheRunOfTheOldOne) {
   EXPECT_FALSE(rig.channel.snapshot().run_active);
 }
 
+TEST(ChannelAuthority, AUTH009EventsPassedWhileBrakingForGoodSwitchNothingOn) {
+  ChannelRig rig;
+  Items items;
+  items.line_to({10, 0, 0, 0}, 3000).add(geometry::Spindle{geometry::SpindleTurn::clockwise, 1000});
+  items.add(geometry::Coolant{true}).add(geometry::Output{1, 3, true}).add(geometry::Signal{});
+  items.line_to({50, 0, 0, 0}, 3000);
+  rig.run(items);
+  ASSERT_TRUE(rig.tick_until([](const Snapshot& s) { return s.path_mm[0] > 9; }));
+  rig.channel.revoke(StopCause::lease_ended);
+  ASSERT_TRUE(rig.tick_to_rest(1000));
+  const Snapshot rest = rig.channel.snapshot();
+  EXPECT_GT(rest.path_mm[0], 10) << "the events were passed";
+  EXPECT_EQ(rest.spindle, geometry::SpindleTurn::off);
+  EXPECT_FALSE(rest.coolant);
+  EXPECT_EQ(rest.outputs[0], 0);
+  EXPECT_EQ(rest.signals, 0U);
+}
+
 struct CauseRow {
   const char* name;
   StopCause cause;

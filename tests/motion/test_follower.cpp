@@ -97,6 +97,7 @@ TEST(Follower, DEC21CollinearBlocksAreOneMotion) {
   PathRig rig(standard());
   std::vector<geometry::PathItem> items;
   for (int i = 0; i < 1000; ++i) items.push_back(line({i * 0.1, 0, 0, 0}, {(i + 1) * 0.1, 0, 0, 0}, 2000));
+  items.push_back(item_of(geometry::End{}));
   rig.append(items);
   ASSERT_TRUE(rig.run_out());
   EXPECT_NEAR(rig.time_s(), trapezoid_s(100, 2000.0 / 60), 2e-3);

@@ -27,6 +27,11 @@ constexpr Example kExamples[] = {
     {"three_planes.cnc", 0, 0, 0, machine::StopCause::program_end, 0, 30},
     {"full_circle.cnc", 0, 0, 0, machine::StopCause::program_end, 0, 40},
     {"drill_row.cnc", 0, 0, 0, machine::StopCause::program_end, 0, 60},
+    {"deep_drilling.cnc", 0, 0, 0, machine::StopCause::program_end, 0, 20},
+    {"slot.cnc", 0, 0, 0, machine::StopCause::program_end, -15, 35},
+    {"pocket.cnc", 0, 0, 0, machine::StopCause::program_end, -15, 15},
+    {"hole_circle.cnc", 0, 0, 0, machine::StopCause::program_end, -21.651, 21.651},
+    {"parameters.cnc", 0, 0, 0, machine::StopCause::program_end, -20, 20},
     // DEC-56: X would reach 85 mm per pass; the switch at 250 mm stops pass 3, its axis is freed and zeroed.
     {"bild7.cnc", 0, 180, 162, machine::StopCause::limit_switch, 0, 250},
 };
@@ -47,7 +52,9 @@ TEST_P(Examples, RunToTheirEnd) {
   ASSERT_FALSE(tape.empty());
   Bench bench({.tape = tape});
   bench.keys("AUTOMAT CLEAR");
-  bench.type(std::to_string(bench.control.memory().programs().front().number));
+  const auto& programs = bench.control.memory().programs();
+  const auto is_program = [](const language::Program& program) { return program.number != language::kToolTable; };
+  bench.type(std::to_string(std::ranges::find_if(programs, is_program)->number));
   bench.keys("ENTER ENTER START");
   double least = 0, most = 0;
   ASSERT_TRUE(bench.run_until([&] {

@@ -11,53 +11,112 @@
 namespace cnclab::panel {
 namespace {
 
-/// A line of the matrix for the columns that this control has; "-" is ignored, "AU: on" marks START state of AUTOMAT.
+// The matrix KEY-090 as the manual has it, column by column: MN HA HE TI AU XD GR SL EM MDM. "-" is ignored.
+//
+//   move, run … the mode's own effect; → opens a mode. GR and XD come with the functions they show; of them only MENU.
 struct MatrixRow {
   std::string_view keys;
-  Effect menu, automat, editor, started;
+  std::array<std::string_view, 10> cells;
+};
+
+constexpr MatrixRow kMatrix[] = {
+    {"HAND", {"open_hand", "-", "open_hand", "open_hand", "-", "-", "-", "-", "-", "-"}},
+    {"START", {"-", "start", "start", "start", "start", "-", "-", "-", "-", "-"}},
+    {"STOP", {"-", "stop", "-", "stop", "-", "-", "-", "-", "-", "-"}},
+    {"PLUS_X MINUS_X PLUS_Y MINUS_Y PLUS_Z MINUS_Z",
+     {"-", "direction", "-", "direction", "-", "-", "-", "-", "-", "-"}},
+    {"ISTWERT", {"-", "istwert", "-", "-", "-", "-", "-", "-", "-", "-"}},
+    {"FRAESER", {"-", "spindle", "-", "spindle", "-", "-", "-", "-", "-", "-"}},
+    {"KUEHLMITTEL", {"-", "coolant", "-", "coolant", "-", "-", "-", "-", "-", "-"}},
+    {"AUTOMAT", {"open_automat", "-", "-", "-", "-", "-", "-", "-", "-", "-"}},
+    {"GRAFIK", {"open_graphics", "-", "-", "-", "-", "-", "-", "-", "-", "-"}},
+    {"MENU", {"-", "menu", "menu", "menu", "menu", "menu", "menu", "menu", "menu", "menu"}},
+    {"EINZELSATZ", {"-", "-", "-", "-", "single", "-", "-", "-", "-", "-"}},
+    {"REFERENZ", {"-", "reference", "-", "-", "-", "-", "-", "-", "-", "-"}},
+    {"EXTERNE_DATEN", {"open_external", "-", "-", "-", "-", "-", "-", "-", "-", "-"}},
+    {"TEACH_IN", {"open_teach", "open_teach", "-", "-", "-", "-", "-", "-", "-", "-"}},
+    {"SATZ_SUCHEN", {"-", "-", "-", "-", "-", "-", "-", "-", "search", "-"}},
+    {"SPEICHER_LOESCHEN", {"open_erase", "-", "-", "-", "-", "-", "-", "-", "-", "-"}},
+    {"EINGABE", {"open_editor", "-", "-", "store", "-", "-", "-", "-", "store", "enter"}},
+    {"HANDEINGABE", {"open_input", "open_input", "-", "-", "-", "-", "-", "-", "-", "-"}},
+    {"SATZ_LOESCHEN", {"-", "-", "-", "-", "-", "-", "-", "-", "erase", "-"}},
+    {"0 1 2 3 4 5 6 7 8 9", {"-", "digit", "digit", "digit", "digit", "-", "-", "digit", "digit", "digit"}},
+    {"POINT", {"-", "point", "point", "point", "-", "-", "-", "-", "point", "-"}},
+    {"SIGN", {"-", "sign", "sign", "sign", "-", "-", "-", "-", "sign", "-"}},
+    {"DOWN", {"-", "-", "-", "-", "-", "-", "-", "-", "down", "-"}},
+    {"CLEAR", {"-", "clear", "clear", "clear", "clear", "-", "-", "clear", "clear", "clear"}},
+    {"ENTER", {"-", "-", "enter", "enter", "enter", "-", "-", "enter", "enter", "enter"}},
+    {"MELDUNG MASCHINE_HALT LABOR RESET",  // the lab's own; RESET acts apart from the table
+     {"-", "-", "-", "-", "-", "-", "-", "-", "-", "-"}},
+};
+
+struct NamedEffect {
+  std::string_view name;
+  Effect effect;
+};
+
+constexpr NamedEffect kEffects[] = {
+    {"open_hand", Effect::open_hand},
+    {"open_input", Effect::open_hand_input},
+    {"open_teach", Effect::open_teach_in},
+    {"open_automat", Effect::open_automat},
+    {"open_external", Effect::open_external_data},
+    {"open_graphics", Effect::open_graphics},
+    {"open_erase", Effect::open_erase_memory},
+    {"open_editor", Effect::open_editor},
+    {"menu", Effect::open_menu},
+    {"start", Effect::start},
+    {"stop", Effect::stop},
+    {"direction", Effect::direction},
+    {"istwert", Effect::istwert},
+    {"spindle", Effect::spindle},
+    {"coolant", Effect::coolant},
+    {"single", Effect::single_block},
+    {"reference", Effect::reference},
+    {"search", Effect::search},
+    {"store", Effect::store},
+    {"enter", Effect::enter},
+    {"erase", Effect::erase_block},
+    {"digit", Effect::digit},
+    {"point", Effect::point},
+    {"sign", Effect::sign},
+    {"down", Effect::down},
+    {"clear", Effect::clear},
+};
+
+struct Column {
+  std::string_view name;
+  std::vector<Place> places;  ///< STOP state
+};
+
+const std::vector<Column> kColumns{
+    {"MN", {Place::menu}},
+    {"HA", {Place::hand_ready, Place::hand_istwert, Place::hand_value}},
+    {"HE", {Place::input_function, Place::input_word, Place::input_rest}},
+    {"TI", {Place::teach_program, Place::teach_ready, Place::teach_word}},
+    {"AU", {Place::automat_program, Place::automat_block, Place::automat_ready}},
+    {"XD", {Place::external_data}},
+    {"GR", {Place::graphics}},
+    {"SL", {Place::erase_program, Place::erase_all}},
+    {"EM", {Place::editor_program, Place::editor_number, Place::editor_function, Place::editor_word}},
+    {"MDM", {Place::machine_data}},
 };
 
 constexpr Effect kNo = Effect::ignored;
-
-// Copied from the matrix KEY-090: columns MN, AU, EM and START state.
-constexpr MatrixRow kMatrix[] = {
-    {"HAND", Effect::open_hand, kNo, kNo, kNo},
-    {"START", kNo, Effect::start, kNo, Effect::start},  // START state: only while the program waits (KEY-013)
-    {"STOP", kNo, kNo, kNo, Effect::stop},
-    {"PLUS_X MINUS_X PLUS_Y MINUS_Y PLUS_Z MINUS_Z", kNo, kNo, kNo, kNo},
-    {"ISTWERT FRAESER KUEHLMITTEL", kNo, kNo, kNo, kNo},
-    {"AUTOMAT", Effect::open_automat, kNo, kNo, kNo},
-    {"GRAFIK", Effect::open_graphics, kNo, kNo, kNo},
-    {"MENU", kNo, Effect::open_menu, Effect::open_menu, kNo},
-    {"EINZELSATZ", kNo, Effect::single_block, kNo, Effect::single_block},
-    {"REFERENZ", kNo, kNo, kNo, kNo},
-    {"EXTERNE_DATEN", Effect::open_external_data, kNo, kNo, kNo},
-    {"TEACH_IN", Effect::open_teach_in, kNo, kNo, kNo},
-    {"SATZ_SUCHEN", kNo, kNo, Effect::search, kNo},
-    {"SPEICHER_LOESCHEN", Effect::open_erase_memory, kNo, kNo, kNo},
-    {"EINGABE", Effect::open_editor, kNo, Effect::store, kNo},
-    {"HANDEINGABE", Effect::open_hand_input, kNo, kNo, kNo},
-    {"SATZ_LOESCHEN", kNo, kNo, Effect::erase_block, kNo},
-    {"0 1 2 3 4 5 6 7 8 9", kNo, Effect::digit, Effect::digit, kNo},
-    {"POINT", kNo, kNo, Effect::point, kNo},
-    {"SIGN", kNo, kNo, Effect::sign, kNo},
-    {"DOWN", kNo, kNo, Effect::down, kNo},
-    {"CLEAR", kNo, Effect::clear, Effect::clear, kNo},
-    {"ENTER", kNo, Effect::enter, Effect::enter, kNo},
-    {"MELDUNG MASCHINE_HALT LABOR RESET", kNo, kNo, kNo, kNo},  // the lab's own; RESET acts apart from the table
-};
-
-constexpr std::array kEditor{Place::editor_program, Place::editor_number, Place::editor_function, Place::editor_word};
-constexpr std::array kAutomat{Place::automat_program, Place::automat_block, Place::automat_ready};
-constexpr std::array kStarted{Place::automat_running, Place::automat_waiting};
-constexpr std::array kMenu{Place::menu};
 
 /// All effects that a key has in the places of one column.
 std::set<Effect> effects_in(std::span<const Place> places, Key key) {
   std::set<Effect> effects;
   for (const Place place : places)
-    if (const Effect effect = effect_of(place, key); effect != Effect::ignored) effects.insert(effect);
+    if (const Effect effect = effect_of(place, key); effect != kNo) effects.insert(effect);
   return effects;
+}
+
+std::set<Effect> effects_named(std::string_view name) {
+  for (const NamedEffect& row : kEffects)
+    if (row.name == name) return {row.effect};
+  EXPECT_EQ(name, "-") << "no effect of that name";
+  return {};
 }
 
 std::vector<Key> keys_in(std::string_view names) {
@@ -70,40 +129,67 @@ std::vector<Key> keys_in(std::string_view names) {
   return keys;
 }
 
-TEST(KeyTable, KEY_090_EveryCellOfTheMatrixForMenuAutomatAndEntry) {
+TEST(KeyTable, KEY_090_EveryCellOfTheMatrix) {
   std::set<Key> seen;
   for (const MatrixRow& row : kMatrix) {
     for (const Key key : keys_in(row.keys)) {
-      SCOPED_TRACE(std::string(name_of(key)));
       seen.insert(key);
-      const auto only = [](Effect effect) { return effect == kNo ? std::set<Effect>{} : std::set{effect}; };
-      EXPECT_EQ(effects_in(kMenu, key), only(row.menu)) << "MN";
-      EXPECT_EQ(effects_in(kAutomat, key), only(row.automat)) << "AU";
-      EXPECT_EQ(effects_in(kEditor, key), only(row.editor)) << "EM";
-      EXPECT_EQ(effects_in(kStarted, key), only(row.started)) << "START state";
+      for (std::size_t column = 0; column < kColumns.size(); ++column) {
+        SCOPED_TRACE(std::string(name_of(key)).append(" in ").append(kColumns[column].name));
+        EXPECT_EQ(effects_in(kColumns[column].places, key), effects_named(row.cells.at(column)));
+      }
     }
   }
   EXPECT_EQ(seen.size(), static_cast<std::size_t>(kKeys)) << "every key of the keyboard is in the matrix";
 }
 
-TEST(KeyTable, KEY_013_StartIsPolledInStartStateOnlyWhileTheProgramWaits) {
-  EXPECT_EQ(effect_of(Place::automat_running, Key::START), Effect::ignored);
-  EXPECT_EQ(effect_of(Place::automat_waiting, Key::START), Effect::start);
-}
-
-TEST(KeyTable, MOD_014_015_DirectChangesLeadOnlyThroughHandbetrieb) {
-  const std::map<std::pair<Place, Key>, Effect> allowed{{{Place::hand, Key::HANDEINGABE}, Effect::open_hand_input},
-                                                        {{Place::hand, Key::TEACH_IN}, Effect::open_teach_in},
-                                                        {{Place::hand_input, Key::HAND}, Effect::open_hand},
-                                                        {{Place::teach_in, Key::HAND}, Effect::open_hand}};
-  for (const Place place : {Place::hand, Place::hand_input, Place::teach_in}) {
-    for (int i = 1; i <= kKeys; ++i) {
-      const auto key = static_cast<Key>(i);
-      const auto found = allowed.find({place, key});
-      const Effect expected = key == Key::MENU ? Effect::open_menu : found == allowed.end() ? kNo : found->second;
-      EXPECT_EQ(effect_of(place, key), expected) << name_of(key);
+// The column "START state" of KEY-090, with KEY-011 to KEY-013: only STOP is polled; in AUTOMAT EINZELSATZ too, and
+// START while the program waits.
+TEST(KeyTable, KEY_011_012_013_StartStateOfEveryMode) {
+  const std::map<Place, std::map<Key, Effect>> started{
+      {Place::hand_moving, {{Key::STOP, Effect::stop}}},
+      {Place::hand_reference, {{Key::STOP, Effect::stop}}},
+      {Place::input_running, {{Key::STOP, Effect::stop}}},
+      {Place::input_waiting, {{Key::STOP, Effect::stop}, {Key::START, Effect::start}}},
+      {Place::teach_moving, {{Key::STOP, Effect::stop}}},
+      {Place::automat_running, {{Key::STOP, Effect::stop}, {Key::EINZELSATZ, Effect::single_block}}},
+      {Place::automat_waiting,
+       {{Key::STOP, Effect::stop}, {Key::EINZELSATZ, Effect::single_block}, {Key::START, Effect::start}}}};
+  for (int i = 0; i < kPlaces; ++i) {
+    const auto place = static_cast<Place>(i);
+    EXPECT_EQ(is_start_state(place), started.contains(place)) << i;
+    if (!started.contains(place)) continue;
+    for (int number = 1; number <= kKeys; ++number) {
+      const auto key = static_cast<Key>(number);
+      const auto& polled = started.at(place);
+      EXPECT_EQ(effect_of(place, key), polled.contains(key) ? polled.at(key) : kNo) << name_of(key);
     }
   }
+}
+
+// KEY-051, ERR-031, ERR-033: SPEICHER LÖSCHEN starts the memory test, which runs until RESET.
+TEST(KeyTable, KEY_051_MemoryTest) {
+  for (int number = 1; number <= kKeys; ++number) {
+    const auto key = static_cast<Key>(number);
+    for (const Place place : {Place::memory_list, Place::memory_confirm}) {
+      const Effect expected = key == Key::SPEICHER_LOESCHEN ? Effect::test_memory
+                              : key == Key::MENU            ? Effect::open_menu
+                                                            : kNo;
+      EXPECT_EQ(effect_of(place, key), expected) << name_of(key);
+    }
+    EXPECT_EQ(effect_of(Place::memory_running, key), kNo) << name_of(key);
+  }
+}
+
+TEST(KeyTable, KEY_041_MODEL_003_006_KeysOfAbsentFunctions) {
+  const language::Vocabulary small{.model = language::Model::cnc3250};
+  const language::Vocabulary plain{.planned_functions = false};
+  EXPECT_EQ(effect_of(Place::menu, Key::GRAFIK, small), kNo);
+  EXPECT_EQ(effect_of(Place::menu, Key::GRAFIK, plain), kNo) << "D-02";
+  EXPECT_EQ(effect_of(Place::editor_function, Key::DOWN, small), kNo);
+  EXPECT_EQ(effect_of(Place::editor_word, Key::DOWN, small), kNo);
+  EXPECT_EQ(effect_of(Place::editor_number, Key::DOWN, small), Effect::down) << "paging is no parameter";
+  EXPECT_EQ(effect_of(Place::editor_word, Key::DOWN, plain), Effect::down);
 }
 
 TEST(KeyTable, KeysOfAPlaceDoNotOverlap) {
@@ -136,9 +222,18 @@ constexpr Scene kScenes[] = {
     {"AU program", "AUTOMAT", Place::automat_program},
     {"AU block", "AUTOMAT ENTER", Place::automat_block},
     {"AU ready", "AUTOMAT ENTER ENTER", Place::automat_ready},
-    {"HA", "HAND", Place::hand},
+    {"HA", "HAND", Place::hand_ready},
+    {"HA ISTWERT", "HAND ISTWERT", Place::hand_istwert},
+    {"HA value", "HAND ISTWERT PLUS_X", Place::hand_value},
+    {"HE function", "HANDEINGABE", Place::input_function},
+    {"HE word", "HANDEINGABE ENTER", Place::input_word},
+    {"TI program", "TEACH_IN", Place::teach_program},
+    {"TI ready", "TEACH_IN ENTER", Place::teach_ready},
+    {"TI word", "TEACH_IN ENTER ENTER", Place::teach_word},
+    {"XD", "EXTERNE_DATEN", Place::external_data},
     {"GR", "GRAFIK", Place::graphics},
-    {"SL", "SPEICHER_LOESCHEN", Place::erase_memory},
+    {"SL", "SPEICHER_LOESCHEN", Place::erase_program},
+    {"SL all", "SPEICHER_LOESCHEN CLEAR", Place::erase_all},
 };
 
 TEST(Keys, KEY_090_IgnoredKeysChangeNeitherMonitorNorState) {
@@ -149,10 +244,13 @@ TEST(Keys, KEY_090_IgnoredKeysChangeNeitherMonitorNorState) {
       SCOPED_TRACE(std::string(scene.name) + " " + std::string(name_of(key)));
       Bench bench({.tape = std::string(kBild7)});
       bench.keys(scene.keys);
+      bench.run_for(10);
       const std::string before = visible_state(bench);
       bench.press(key);
+      bench.run_for(10);
       EXPECT_EQ(visible_state(bench), before);
       EXPECT_EQ(bench.stores(), 0);
+      EXPECT_FALSE(bench.snapshot().started);
       EXPECT_EQ(bench.control.take_beeps(), 0);
     }
   }

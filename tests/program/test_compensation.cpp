@@ -93,9 +93,10 @@ Names lines_of(const RunResult& run) {
 
 TEST(CompensationWays, OfNothingEnterAndLeave_D72) {
   EXPECT_THAT(lines_of(run_with_tools("P0001N001G01X+0F0500N002G00Y+0Z+0%")), ElementsAre());
-  EXPECT_THAT(lines_of(run_with_tools("P0001N001G11T01N002G43N003G00X+0N004G40N005G00X+0N006G00X+0%")),
-              ElementsAre("N3 stays", "N5 stays"))
-      << "with N5 the axis is where the program says, and N6 is nothing again";
+  EXPECT_THAT(
+      lines_of(run_with_tools("P0001N001G11T01N002G43N003G00X+5N004G00X+0N005G40N006G00Y+0N007G00X+0N008G00X+0%")),
+      ElementsAre("N3", "N4 stays", "N6 stays", "N7 stays"))
+      << "with N7 the axis is where the program says, and N8 is nothing again";
   EXPECT_THAT(lines_of(run_with_tools("P0001N001G11T01F0100N002G46N003G01Z+0N004G45N005G01X+0N006G01Z+0N007G01Z+0%")),
               ElementsAre("N3 stays", "N5 stays", "N6 stays"));
   EXPECT_THAT(lines_of(run_with_tools("P0001N001G11T01F0100N002G41N003G01M08N004G01X+1000N005G40N006G01Y+0N007G01Y+1"
@@ -131,8 +132,20 @@ TEST(CompensationStart, SollwertIsIstwertWithoutWhatIsLeft_D75) {
 TEST(CompensationStart, WaysOfNothingLeaveWhatIsLeft_D75) {
   Start start;
   start.compensation_mm = {5, 0, 0};
-  EXPECT_THAT(lines_of(run_text("P0001N001G00Y+0N002G00X+0N003G00X+0%", 9, start)),
+  EXPECT_THAT(lines_of(run_text("P0001N001G00Z+0N002G00Y+0N003G00X+0%", 9, start)),
               ElementsAre("N1 stays", "N2 stays"));
+}
+
+TEST(CompensationStart, TellsTheStagesWhichPlaneIsToBeLeft_D75) {
+  Start start;
+  start.compensation_mm = {5, 0, 0};
+  start.modal.plane = geometry::Plane::xz;
+  EXPECT_THAT(names_of(run_text("P0001N001G00Z+0N002G00X+0%", 9, start)),
+              ElementsAre("radius off 0 xz", "rapid", "end"));
+  start.modal.plane = geometry::Plane::yz;
+  EXPECT_THAT(names_of(run_text("P0001N001G00Z+0N002G00X+0N003G00X+0%", 9, start)),
+              ElementsAre("rapid", "rapid", "end"))
+      << "a length is left with its own axis";
 }
 
 TEST(CompensationStart, TellsTheStagesWhatIsInForce_D75) {
@@ -203,6 +216,12 @@ INSTANTIATE_TEST_SUITE_P(
                     ErrorRow{"D64_G69_before_the_length_is_left",
                              "P0001N001G11T01F0100N002G46N003G01Z-1000N004G45N005G69X-1000%",
                              ErrorCode::compensation_impossible, 5},
+                    ErrorRow{"D64_G68_before_the_plane_that_was_left",
+                             "P0001N001G11T01F0100N002G41N003G01X+1000N004G40N005G18N006G01Z+1N007G68X+0%",
+                             ErrorCode::compensation_impossible, 7},
+                    ErrorRow{"D64_G68_after_G43_stood_still",
+                             "P0001N001G11T01F0100N002G43N003G01X+1000N004G01X+0N005G40N006G68X+0%",
+                             ErrorCode::compensation_impossible, 6},
                     ErrorRow{"D68_G75_under_G41", "P0001N001G41N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
                     ErrorRow{"D68_G75_under_G42", "P0001N001G42N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
                     ErrorRow{"D68_G75_under_G43", "P0001N001G43N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
@@ -237,6 +256,8 @@ INSTANTIATE_TEST_SUITE_P(
                                "P0001N001G11T01F0100N002G41N003G01X+1000N004G40N005G01Y+1000N006G68X+0N007G69X-1000%"},
                     AllowedRow{"D64_G68_after_each_axis_is_left",
                                "P0001N001G11T01F0100N002G43N003G01X+1000Y+1000N004G40N005G01X+1000Y+0N006G68X+0%"},
+                    AllowedRow{"D64_G68_after_a_way_of_nothing_has_left",
+                               "P0001N001G11T01F0100N002G41N003G01X+1000N004G40N005G01Y+0N006G68X+0%"},
                     AllowedRow{"D64_G68_after_the_length_is_left",
                                "P0001N001G11T01F0100N002G46N003G01Z-1000N004G45N005G00Z+0N006G68X+0%"},
                     AllowedRow{"D64_G68_after_G41_that_never_moved", "P0001N001G11T01N002G41N003G40N004G68X+0%"},

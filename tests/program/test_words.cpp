@@ -100,6 +100,19 @@ TEST(Words, ModalStateKeepsWhatWasSet_FST013) {
   EXPECT_EQ(modal.plane, geometry::Plane::xz);
 }
 
+TEST(Words, PowerOnState_FST014_G170_G910) {
+  const ModalState& modal = run_text("P0001N001G04H0001%").blocks.back().modal;
+  EXPECT_EQ(modal.plane, geometry::Plane::xy);
+  EXPECT_EQ(modal.radius, RadiusCompensation::off);
+  EXPECT_FALSE(modal.length_compensation);
+  EXPECT_FALSE(modal.scale_on);
+  EXPECT_EQ(modal.dimension, Dimension::incremental);
+  EXPECT_EQ(modal.feed_mm_per_min, 0);
+  EXPECT_EQ(modal.spindle_rpm, 0);
+  EXPECT_EQ(modal.tool, 0);
+  EXPECT_EQ(modal.m, 12);
+}
+
 TEST(Words, G001_G00_leaves_F_alone) {
   const RunResult run = run_text("P0001N001G11F0700N002G00X+1000%");
   EXPECT_EQ(run.blocks.back().modal.feed_mm_per_min, 700);

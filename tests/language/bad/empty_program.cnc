@@ -1,3 +1,3 @@
-(2: P0001: Das Programm: Übertragung falsch, richtig: N001. Daten prüfen, neu senden.)
+(2: P0001: Das Programm hat keinen Satz, richtig: N001. Sätze ergänzen oder Nummer streichen.)
 P0001
 %

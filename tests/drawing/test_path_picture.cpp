@@ -4,8 +4,9 @@
 #include <cmath>
 #include <regex>
 
-#include "drawing/path_svg.hpp"
+#include "drawing/path_picture.hpp"
 #include "drawing/projection.hpp"
+#include "drawing/svg.hpp"
 
 namespace cnclab::drawing {
 namespace {
@@ -32,6 +33,11 @@ PathItem circle(Point start, Point center) {
   return item;
 }
 
+std::string path_svg(std::span<const PathItem> path, const PictureOptions& options) {
+  const auto strokes = strokes_of(path);
+  return svg_of(path_picture({.path = strokes, .contour = {}}, options));
+}
+
 /// All points of the polylines of a class, in pixels.
 std::vector<Flat> points_of(const std::string& svg, const std::string& style) {
   std::vector<Flat> points;
@@ -45,7 +51,7 @@ std::vector<Flat> points_of(const std::string& svg, const std::string& style) {
   return points;
 }
 
-TEST(PathSvg, DrawsRapidsDashedAndFeedsSolid) {
+TEST(PathPicture, DrawsRapidsDashedAndFeedsSolid) {
   const std::vector path{line({}, {10, 0, 0}, true), line({10, 0, 0}, {10, 10, 0}, false)};
   const std::string svg = path_svg(path, {.title = "P0001"});
   EXPECT_EQ(points_of(svg, "rapid").size(), 2u);
@@ -58,7 +64,7 @@ TEST(PathSvg, DrawsRapidsDashedAndFeedsSolid) {
   EXPECT_THAT(svg, HasSubstr(">Y / mm</text>"));
 }
 
-TEST(PathSvg, KeepsOneScaleForBothAxesAndPutsYUpwards) {
+TEST(PathPicture, KeepsOneScaleForBothAxesAndPutsYUpwards) {
   const std::vector path{line({}, {100, 0, 0}, false), line({100, 0, 0}, {100, 50, 0}, false)};
   const auto points = points_of(path_svg(path, {.title = "t"}), "feed");
   ASSERT_EQ(points.size(), 3u);
@@ -67,7 +73,7 @@ TEST(PathSvg, KeepsOneScaleForBothAxesAndPutsYUpwards) {
   EXPECT_GT(up, 0);
 }
 
-TEST(PathSvg, ACircleIsRoundAndStaysInsideTheSheet) {
+TEST(PathPicture, ACircleIsRoundAndStaysInsideTheSheet) {
   const auto points = points_of(path_svg(std::vector{circle({}, {20, 0, 0})}, {.title = "t"}), "feed");
   ASSERT_GT(points.size(), 70u);
   Bounds bounds;
@@ -79,7 +85,7 @@ TEST(PathSvg, ACircleIsRoundAndStaysInsideTheSheet) {
   EXPECT_LE(bounds.high, Sheet::kHeight_px);
 }
 
-TEST(PathSvg, ViewsLookAlongTheirAxis) {
+TEST(PathPicture, ViewsLookAlongTheirAxis) {
   EXPECT_EQ(project({1, 2, 3}, View::xy).up, 2);
   EXPECT_EQ(project({1, 2, 3}, View::xz).up, 3);
   EXPECT_EQ(project({1, 2, 3}, View::yz).right, 2);
@@ -88,7 +94,7 @@ TEST(PathSvg, ViewsLookAlongTheirAxis) {
   EXPECT_NEAR(iso.up, 2, 1e-12);
 }
 
-TEST(PathSvg, WorkpieceIsThatOfTheSimulatedMachine_DEC24) {
+TEST(PathPicture, WorkpieceIsThatOfTheSimulatedMachine_DEC24) {
   const Box box = standard_workpiece({10, 20, 5});
   EXPECT_EQ(box.low, (Point{-50, -20, -30}));
   EXPECT_EQ(box.high, (Point{70, 60, 0}));
@@ -96,13 +102,13 @@ TEST(PathSvg, WorkpieceIsThatOfTheSimulatedMachine_DEC24) {
   EXPECT_THAT(svg, HasSubstr("class=\"workpiece\""));
 }
 
-TEST(PathSvg, TitlesAreEscaped) {
+TEST(PathPicture, TitlesAreEscaped) {
   const std::string svg = path_svg({}, {.title = "<b>&\"x\""});
   EXPECT_THAT(svg, HasSubstr("&lt;b&gt;&amp;&quot;x&quot;"));
   EXPECT_THAT(svg, Not(HasSubstr("<b>")));
 }
 
-TEST(PathSvg, EmptyAndPointLikePathsGiveAWholeFile) {
+TEST(PathPicture, EmptyAndPointLikePathsGiveAWholeFile) {
   for (const auto view : {View::xy, View::xz, View::yz, View::iso}) {
     const std::string svg = path_svg(std::vector{line({1, 1, 1}, {1, 1, 1}, false)}, {.title = "t", .view = view});
     EXPECT_TRUE(svg.ends_with("</svg>\n"));
@@ -112,7 +118,7 @@ TEST(PathSvg, EmptyAndPointLikePathsGiveAWholeFile) {
   }
 }
 
-TEST(PathSvg, MarksStandAtRoundMillimetres) {
+TEST(PathPicture, MarksStandAtRoundMillimetres) {
   for (const double size_mm : {0.02, 1.0, 37.0, 500.0, 90'000.0}) {
     Bounds bounds;
     bounds.take({0, 0});

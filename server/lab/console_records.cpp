@@ -1,0 +1,100 @@
+// Requests about what was recorded: runs, traces, journal, backup (STO-006 to STO-008).
+#include <fmt/format.h>
+
+#include <ctime>
+
+#include "lab/console_ask.hpp"
+
+namespace cnclab::lab {
+
+namespace {
+
+/// Local time "2026-11-22" or "2026-11-22T10:15"; nothing when malformed.
+std::optional<std::int64_t> parse_since(const std::string& text) {
+  if (text.empty()) return 0;
+  for (const char* format : {"%Y-%m-%dT%H:%M:%S", "%Y-%m-%dT%H:%M", "%Y-%m-%d"}) {
+    std::tm time{};
+    time.tm_isdst = -1;
+    const char* end = strptime(text.c_str(), format, &time);
+    if (end != nullptr && *end == '\0') return static_cast<std::int64_t>(std::mktime(&time)) * 1000;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+void Console::runs(const Reply& reply, const v1::StudentName& request) const {
+  ask_store(
+      reply, [name = request.name()](db::Database& database) { return database.runs(person_named(database, name).id); },
+      [reply](const Console& console, const std::vector<db::RunRecord>& runs) {
+        Items items;
+        for (const auto& run : runs) {
+          v1::InstructorItem item;
+          auto& info = *item.mutable_run();
+          info.set_id(static_cast<std::uint32_t>(run.id));
+          info.set_started(iso_time(run.started_ms));
+          info.set_machine(run.machine);
+          info.set_program(fmt::format("P{:04}", run.program));
+          info.set_seconds(run.seconds.value_or(0));
+          info.set_ended(run.ended);
+          items.push_back(item);
+        }
+        console.send(reply, items);
+      });
+}
+
+void Console::run_trace(const Reply& reply, const v1::RunName& request) const {
+  ask_store(
+      reply,
+      [run = static_cast<std::int64_t>(request.run())](db::Database& database) {
+        std::string trace = database.trace(run);
+        if (trace.empty())
+          throw Refusal{fmt::format("Von Lauf {} gibt es keine Spur.", run),
+                        fmt::format("There is no trace of run {}.", run)};
+        return trace;
+      },
+      [reply](const Console& console, const std::string& packed) {
+        const auto limits = machine::motion_limits(console.lab_.machine_data_);
+        console.send_file(reply, trace_csv(packed, limits.steps_per_mm));
+      });
+}
+
+void Console::journal(const Reply& reply, const v1::JournalQuery& request) const {
+  const auto since = parse_since(request.since());
+  if (!since)
+    return send_error(reply, lab_.say(reply.tongue, "Zeit als JJJJ-MM-TT oder JJJJ-MM-TTThh:mm angeben.",
+                                      "Give the time as YYYY-MM-DD or YYYY-MM-DDThh:mm."));
+  lab_.flush_journal();
+  ask_store(
+      reply,
+      [name = request.student(), since = *since](db::Database& database) { return database.journal(name, since); },
+      [reply](const Console& console, const std::vector<db::JournalEntry>& entries) {
+        Items items;
+        for (const auto& entry : entries) {
+          v1::InstructorItem item;
+          auto& line = *item.mutable_journal();
+          line.set_time(iso_time(entry.time_ms));
+          line.set_station(static_cast<std::uint32_t>(entry.station));
+          line.set_student(entry.person);
+          line.set_kind(entry.kind);
+          line.set_detail(entry.detail);
+          line.set_lease(static_cast<double>(entry.lease));
+          items.push_back(item);
+        }
+        console.send(reply, items);
+      });
+}
+
+void Console::backup(const Reply& reply) const {
+  const bool begun = lab_.backup_.make([&lab = lab_, alive = lab_.alive_, reply](const BackupCopy::Result& copy) {
+    if (!*alive || reply.visit->stage != Stage::at_console) return;
+    const Console console(lab);
+    if (!copy) return console.send_error(reply, copy.error());
+    lab.write_journal("backup", fmt::format("{} bytes", copy->size), 0, reply.visit->person.name);
+    console.send_file(reply, copy->stream, copy->size);
+  });
+  if (!begun)
+    send_error(reply, lab_.say(reply.tongue, "Eine Sicherung läuft schon.", "A backup is under way already."));
+}
+
+}  // namespace cnclab::lab

@@ -1,0 +1,22 @@
+// What the operator is told when a motion ended otherwise than by its own end or STOP.
+#pragma once
+
+#include <cstddef>
+
+#include "panel/control_state.hpp"
+
+namespace cnclab::panel {
+
+/// The column of an axis' `Endschalter` on the monitor's last line: X, Y, Z, U from left to right (ERR-022, D-118).
+[[nodiscard]] constexpr int limit_column(std::size_t axis) {
+  constexpr int kColumnsPerAxis = 16;
+  return static_cast<int>(axis) * kColumnsPerAxis;
+}
+
+/// An error of a block that has no place in a program (HANDEINGABE).
+[[nodiscard]] language::Error without_place(language::Error error);
+
+/// Row 18 for what the machine or the lab broke off; after a limit switch also the monitor's last line.
+void tell_break(ControlState& state, machine::StopCause cause);
+
+}  // namespace cnclab::panel

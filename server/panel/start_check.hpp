@@ -1,0 +1,16 @@
+// What every START has to find before anything moves.
+#pragma once
+
+#include "panel/control_state.hpp"
+
+namespace cnclab::panel {
+
+/// Is a machine connected that stands still with the data that hold now? Row 18 says what is missing.
+[[nodiscard]] bool may_move(ControlState& state);
+/// As `may_move`, for a run: a machine that requires it must have been referenced (DEC-27).
+[[nodiscard]] bool may_run(ControlState& state);
+
+/// Where the machine stands, as the operator reads it.
+[[nodiscard]] geometry::Point istwert_of(const machine::Snapshot& machine);
+
+}  // namespace cnclab::panel

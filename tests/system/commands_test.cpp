@@ -1,0 +1,178 @@
+// The instructor's one-shot commands against a real server: what they print, and what comes of it (INS-003 to INS-005).
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "harness/classroom.hpp"
+
+namespace cnclab::harness {
+namespace {
+
+using testing::HasSubstr;
+
+class Commands : public testing::Test {
+ protected:
+  OneShot ask(const std::vector<std::string>& arguments) { return room_.instructor().run(arguments); }
+  OneShot must(const std::vector<std::string>& arguments) { return room_.instructor().must(arguments); }
+  std::string file(const std::string& name, const std::string& content) {
+    return folder_.write(name, content).string();
+  }
+
+  TemporaryFolder folder_;
+  Classroom room_;
+};
+
+TEST_F(Commands, INS_004_a_roster_is_imported_whole_and_exported_again) {
+  const auto csv = file("roster.csv", "name,password,language\nanna,,en\notto,\"sehr,geheim\",\n\nemil\n");
+  const OneShot imported = must({"import", csv});
+  ASSERT_EQ(imported.objects.size(), 2U) << imported.output;
+  EXPECT_EQ(imported.objects[0]["name"], "anna");
+  EXPECT_GE(imported.objects[0]["password"].get<std::string>().size(), 12U);
+  EXPECT_EQ(imported.objects[1]["name"], "emil");
+  const auto target = (folder_.path() / "out.csv").string();
+  must({"export", target});
+  EXPECT_EQ(read_file(target), "name,password,language\nanna,,en\nemil,,\notto,,\n");
+  room_.passwords().set("otto", "sehr,geheim");
+  StationProcess otto = room_.seat(2, "otto");
+}
+
+TEST_F(Commands, INS_004_an_import_with_errors_names_every_line_and_adds_nobody) {
+  room_.add_student("otto");
+  const OneShot bad = ask({"import", file("bad.csv", "anna,kurz,\nemil,,fr\nberta\nberta\na b,,\n")});
+  EXPECT_EQ(bad.exit_code, 1);
+  for (const char* line : {"Zeile 1: ", "Zeile 2: ", "Zeile 4: ", "Zeile 5: "})
+    EXPECT_THAT(bad.errors, HasSubstr(line));
+  const OneShot known = ask({"import", file("known.csv", "berta\notto\n")});
+  EXPECT_EQ(known.exit_code, 1);
+  EXPECT_THAT(known.errors, HasSubstr("Zeile 2: "));
+  EXPECT_EQ(must({"students"}).objects.size(), 2U) << "lehrer and otto";
+}
+
+TEST_F(Commands, INS_004_a_renamed_student_logs_in_by_the_new_name_with_all_programs) {
+  room_.add_student("anna", {"P0001\nN001G00X+1000\n"});
+  must({"student", "rename", "anna", "anne"});
+  room_.passwords().set("anne", room_.passwords().password_of("anna"));
+  StationProcess anne = room_.seat(1, "anne");
+  EXPECT_EQ(must({"program", "show", "anne", "P0001"}).output, "P0001\nN001G00X+1000\n%\n");
+}
+
+TEST_F(Commands, INS_003_programs_are_sent_to_all_and_collected_from_all) {
+  room_.add_student("anna");
+  room_.add_student("otto");
+  must({"program", "send", file("tape", "P0001\nN001G00X+1000\nP0002\nN001G00Y+1000\n"), "--all"});
+  must({"program", "send", file("own", "P0003\nN001G00Z+1000\n"), "otto"});
+  EXPECT_EQ(ask({"program", "send", file("tape", "P0001\nN001G00X+1000\n"), "--all"}).exit_code, 1);
+  const OneShot collected = must({"program", "collect", folder_.path().string()});
+  ASSERT_EQ(collected.objects.size(), 2U) << collected.output;
+  EXPECT_EQ(read_file(folder_.path() / "anna.tape"), "P0001\nN001G00X+1000\n%\nP0002\nN001G00Y+1000\n%\n");
+  EXPECT_THAT(read_file(folder_.path() / "otto.tape"), HasSubstr("P0003\nN001G00Z+1000\n%\n"));
+  must({"program", "collect", folder_.path().string(), "P0003"});
+  EXPECT_EQ(read_file(folder_.path() / "otto.tape"), "P0003\nN001G00Z+1000\n%\n");
+  // What was collected can be sent again.
+  must({"program", "send", (folder_.path() / "otto.tape").string(), "anna"});
+}
+
+TEST_F(Commands, INS_003_a_program_that_does_not_fit_the_memory_is_refused_for_all) {
+  room_.add_student("anna");
+  std::string tape = "P0001\n";
+  for (int block = 1; block <= 999; ++block) {
+    const std::string digits = std::to_string(1000 + block).substr(1);
+    tape += "N" + digits + "G01X+100000Y+100000Z+100000F1000S1000T01M03\n";
+  }
+  const OneShot refused = ask({"program", "send", file("large", tape), "anna"});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.errors, HasSubstr("anna"));
+  EXPECT_TRUE(must({"programs", "anna"}).objects.empty());
+}
+
+TEST_F(Commands, STO_005_an_older_version_becomes_the_newest_also_of_a_program_that_was_deleted) {
+  room_.add_student("anna", {"P0001\nN001G00X+1000\n"});
+  must({"program", "send", file("second", "P0001\nN001G00X+2000\n"), "anna", "--replace"});
+  StationProcess anna = room_.seat(1, "anna");
+  must({"program", "restore", "anna", "P0001", "1"});
+  EXPECT_EQ(must({"program", "show", "anna", "P0001"}).output, "P0001\nN001G00X+1000\n%\n");
+  anna.key("EINGABE DOWN");
+  anna.wait_for("1.000");
+  EXPECT_EQ(must({"program", "versions", "anna", "P0001"}).objects.size(), 3U);
+  EXPECT_EQ(ask({"program", "restore", "anna", "P0001", "9"}).exit_code, 1);
+}
+
+TEST_F(Commands, DEC_29_the_machines_tools_and_workpiece_are_kept_over_a_restart) {
+  must({"tools", file("tools", "P0000\nT001R+5000L+100000\n")});
+  must({"workpiece", "100", "60.5", "20"});
+  EXPECT_EQ(ask({"tools", file("other", "P0001\nN001G00X+1000\n")}).exit_code, 1);
+  EXPECT_EQ(ask({"workpiece", "0.5", "60", "20"}).exit_code, 1);
+  room_.crash_and_restart();
+  EXPECT_EQ(must({"tools"}).output, "P0000\nT001R+5000L+100000\n%\n");
+  const auto size = must({"workpiece"}).objects.at(0);
+  EXPECT_EQ(size["x"], 100);
+  EXPECT_EQ(size["y"], 60.5);
+  EXPECT_EQ(size["z"], 20);
+}
+
+TEST_F(Commands, STO_008_a_backup_made_while_students_work_is_restored_by_the_server) {
+  room_.add_student("anna", {"P0001\nN001G00X+1000\n"});
+  StationProcess anna = room_.seat(1, "anna");
+  const auto copy = folder_.path() / "copy.db";
+  must({"backup", copy.string()});
+  EXPECT_EQ(std::filesystem::status(copy).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
+  must({"student", "remove", "anna", "--erase"});
+  const std::string fingerprint = room_.server().fingerprint();
+  room_.server().terminate();
+  ASSERT_EQ(room_.server().wait(5s), 0);
+  ChildProcess restore({.program = programs_folder() / "cnclab-server",
+                        .arguments = {"--data", room_.data().string(), "--restore", copy.string()},
+                        .environment = {},
+                        .stderr_file = folder_.path() / "restore.log"});
+  ASSERT_EQ(restore.wait(10s), 0) << read_file(folder_.path() / "restore.log");
+  room_.crash_and_restart();
+  EXPECT_EQ(room_.server().fingerprint(), fingerprint) << "certificate and key are in the backup";
+  EXPECT_EQ(must({"program", "show", "anna", "P0001"}).output, "P0001\nN001G00X+1000\n%\n");
+}
+
+TEST_F(Commands, INS_002_watch_prints_the_stations_screen_as_it_changes) {
+  room_.add_student("anna");
+  StationProcess anna = room_.seat(1, "anna");
+  Instructor instructor = room_.instructor();
+  const auto& options = instructor.options();
+  ChildProcess watch({.program = programs_folder() / "cnclab-instructor",
+                      .arguments = {"--server", options.server, "--user", options.user, "--password-file",
+                                    options.password_file.string(), "--fingerprint", options.fingerprint, "watch", "1"},
+                      .environment = {},
+                      .stderr_file = folder_.path() / "watch.log"});
+  const Deadline deadline(10s);
+  const auto read_until = [&](const std::string& text) {
+    while (auto line = watch.read_line(deadline))
+      if (line->find(text) != std::string::npos) return true;
+    return false;
+  };
+  ASSERT_TRUE(read_until("CNC 3300")) << read_file(folder_.path() / "watch.log");
+  ASSERT_TRUE(read_until("end"));
+  anna.key("EINGABE");
+  EXPECT_TRUE(read_until("EINGABEMODUS"));
+}
+
+TEST_F(Commands, INS_006_hands_stand_in_the_order_in_which_they_were_raised) {
+  room_.add_student("anna");
+  room_.add_student("otto");
+  StationProcess anna = room_.seat(1, "anna"), otto = room_.seat(2, "otto");
+  otto.key("MELDUNG");
+  anna.key("MELDUNG");
+  EXPECT_EQ(room_.instructor().station(2)["meldung"], 1);
+  EXPECT_EQ(room_.instructor().station(1)["meldung"], 2);
+  otto.key("MELDUNG");
+  EXPECT_EQ(room_.instructor().station(1)["meldung"], 1);
+}
+
+TEST_F(Commands, INS_001_status_names_the_last_key_and_counts_errors_of_the_last_minute) {
+  room_.add_student("anna");
+  StationProcess anna = room_.seat(1, "anna");
+  anna.key("AUTOMAT 9 9 9 9 ENTER");
+  EXPECT_EQ(room_.instructor().station(1)["last_key"], "ENTER");
+  EXPECT_EQ(room_.instructor().station(1)["errors_last_minute"], 1);
+}
+
+}  // namespace
+}  // namespace cnclab::harness
