@@ -81,9 +81,9 @@ bool fills_one_column(char32_t code) {
   return is_latin_greek_cyrillic || is_punctuation_or_sign || code == U'⌀';
 }
 
-// A picture's dots (GRAFIK) by how many of the eight are set.
+// A picture's dots (GRAFIK) by how many of the eight are set (DEC-37).
 char braille_likeness(char32_t code) {
-  constexpr std::string_view kDensity = " ..::ooO#";
+  constexpr std::string_view kDensity = " ..:::###";
   return kDensity[static_cast<std::size_t>(std::popcount(static_cast<std::uint32_t>(code - 0x2800)))];
 }
 

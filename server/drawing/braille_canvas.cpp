@@ -2,7 +2,6 @@
 #include "drawing/braille_canvas.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace cnclab::drawing {
@@ -89,14 +88,6 @@ std::string BrailleCanvas::row_text(int row) const {
     text += static_cast<char>(0xA0U | bits >> 6U);
     text += static_cast<char>(0x80U | (bits & 0x3FU));
   }
-  return text;
-}
-
-std::string BrailleCanvas::ascii_row_text(int row) const {
-  constexpr std::string_view kByDots = " ..:::###";
-  std::string text;
-  for (int column = 0; column < kCellColumns; ++column)
-    text += kByDots[static_cast<std::size_t>(std::popcount(cell(column, row)))];
   return text;
 }
 

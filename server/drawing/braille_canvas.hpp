@@ -1,4 +1,5 @@
-// A picture in characters: each cell of the monitor holds 2 × 4 dots of a braille pattern (DEC-37).
+// A picture in characters: each cell of the monitor holds 2 × 4 dots of a braille pattern (DEC-37). A terminal without
+// braille shows how full each cell is (station/cell_text.cpp).
 //
 //     dots of a cell   1 4      bit of dot n = n − 1, code = U+2800 + bits
 //                      2 5
@@ -31,8 +32,6 @@ class BrailleCanvas {
 
   /// A blank where a cell is empty; UTF-8.
   [[nodiscard]] std::string row_text(int row) const;
-  /// Without braille: ".", ":", "#" as the cell fills.
-  [[nodiscard]] std::string ascii_row_text(int row) const;
 
  private:
   template <class Draw>

@@ -99,6 +99,7 @@ class Lab {
   void admit(const VisitPtr& visit);
   void admit_station(const VisitPtr& visit);
   void load_desk(const VisitPtr& visit);
+  void restore_machine_data(const DeskPtr& desk);  ///< ERR-014
   void resume(const VisitPtr& visit, const v1::Resume& resume);
   void sit_down(const VisitPtr& visit, const DeskPtr& desk, int station);
   void refuse(const VisitPtr& visit, v1::LoginResult result, const std::string& text);

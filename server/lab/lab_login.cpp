@@ -239,10 +239,20 @@ void Lab::load_desk(const VisitPtr& visit) {
                                                         memory_of(stored->programs, configuration_.memory_bytes),
                                                         machine_data_of(stored->machine_data), ticks_);
                if (!stored->state.empty()) desk->control.restore_state(stored->state);
+               if (is_damaged(stored->machine_data)) restore_machine_data(desk);
                desk->made_ns = clock_.monotonic_ns();
                desk->saved_state = stored->state;
                desks_[person.id] = desk;
                admit_station(visit);
+             });
+}
+
+void Lab::restore_machine_data(const DeskPtr& desk) {
+  desk->control.tell_data_restored();
+  store_.run([id = desk->person.id, author = db::Author{desk->person.name, desk->station, clock_.unix_ms()}](
+                 db::Database& database) { lab::carry_out(database, id, panel::PutMachineData{}, author); },
+             [name = desk->person.name](const std::expected<void, db::StoreError>& result) {
+               if (!result) spdlog::error("{}: machine data not restored: {}", name, result.error().text);
              });
 }
 

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "language/tape.hpp"
 
 namespace cnclab::lab {
@@ -53,9 +55,18 @@ struct CarryOut {
   void operator()(const panel::RemovePrograms& remove) const {
     for (const auto number : remove.programs) database.remove_program(person, number, author);
   }
+  /// Only what has changed becomes a version; a datum whose check code was wrong has changed.
   void operator()(const panel::PutMachineData& put) const {
-    for (const auto& form : machine::datum_forms())
-      database.put_machine_datum(person, stored_datum(form.number, put.data.get(form.number)), author);
+    const std::vector<db::StoredDatum> before = database.machine_data(person);
+    database.transaction([&] {
+      for (const auto& form : machine::datum_forms()) {
+        const db::StoredDatum datum = stored_datum(form.number, put.data.get(form.number));
+        const bool stands_there = std::ranges::any_of(before, [&](const db::StoredDatum& old) {
+          return old.number == datum.number && old.value == datum.value && old.check_code == datum.check_code;
+        });
+        if (!stands_there) database.put_machine_datum(person, datum, author);
+      }
+    });
   }
   void operator()(const panel::EraseMemory& all) const {
     database.transaction([&] {
@@ -82,6 +93,12 @@ panel::Memory memory_of(const std::vector<db::StoredProgram>& programs, int memo
   return memory;
 }
 
+bool is_damaged(const std::vector<db::StoredDatum>& data) {
+  return std::ranges::any_of(data, [](const db::StoredDatum& datum) {
+    return stored_datum(datum.number, datum.value).check_code != datum.check_code;
+  });
+}
+
 int used_bytes(const panel::Memory& memory) {
   int bytes = 0;
   for (const language::Program& program : memory.programs())
@@ -91,11 +108,10 @@ int used_bytes(const panel::Memory& memory) {
 
 machine::MachineData machine_data_of(const std::vector<db::StoredDatum>& data) {
   machine::MachineData result;
+  if (is_damaged(data)) return result;
   // F START/STOP may not exceed F MAX, so the order of setting matters: greatest numbers last would refuse a valid set.
   for (int pass = 0; pass < 2; ++pass)
-    for (const auto& datum : data)
-      if (stored_datum(datum.number, datum.value).check_code == datum.check_code)
-        static_cast<void>(result.set(datum.number, datum.value));
+    for (const auto& datum : data) static_cast<void>(result.set(datum.number, datum.value));
   return result;
 }
 

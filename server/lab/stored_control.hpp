@@ -23,10 +23,12 @@ struct StoredControl {
 /// Blocks whose check code does not fit, or whose text is no block, are kept and marked as damaged (STO-003).
 [[nodiscard]] panel::Memory memory_of(const std::vector<db::StoredProgram>& programs, int memory_bytes);
 
+/// Has one of the machine data a check code that does not fit?
+[[nodiscard]] bool is_damaged(const std::vector<db::StoredDatum>& data);
 /// What the programs take of the memory, whether it is that large or not.
 [[nodiscard]] int used_bytes(const panel::Memory& memory);
 
-/// Machine data whose check code does not fit have their standard value (ERR-014).
+/// Where one is damaged the set from the ROM takes the place of all (ERR-014).
 [[nodiscard]] machine::MachineData machine_data_of(const std::vector<db::StoredDatum>& data);
 
 [[nodiscard]] db::StoredBlock stored_block(int program, const language::Block& block);

@@ -17,8 +17,8 @@ std::optional<bool> input_1_at_start(const Snapshot& now, std::uint64_t sequence
 }
 
 struct Channel::Impl {
-  Impl(Machine& machine, const MachineData& data)
-      : limits(motion_limits(data)), planner(queue, limits), ticker(machine, queue, mail, limits) {}
+  Impl(Machine& iron, const MachineData& data)
+      : machine(iron), limits(motion_limits(data)), planner(queue, limits), ticker(iron, queue, mail, limits) {}
 
   [[nodiscard]] bool order(const Order& what) {
     if (!mail.orders.push({what, mail.stops.load(std::memory_order_relaxed)})) return false;
@@ -27,6 +27,7 @@ struct Channel::Impl {
     return true;
   }
 
+  Machine& machine;
   motion::Limits limits;  ///< of the newest machine data
   motion::SegmentQueue queue;
   motion::Planner planner;
@@ -56,6 +57,11 @@ bool Channel::is_settled() const { return snapshot().orders == impl_->given; }
 void Channel::stop(StopCause cause) {
   impl_->mail.stop_causes.fetch_or(1U << static_cast<unsigned>(cause), std::memory_order_release);
   impl_->mail.stops.fetch_add(1, std::memory_order_release);
+}
+
+void Channel::cut() noexcept {
+  impl_->machine.cut();
+  stop(StopCause::power_off);
 }
 
 void Channel::latch(bool on) {

@@ -143,9 +143,10 @@ struct Snapshot {
   std::array<bool, 4> limit{};               ///< a switch of this axis is active
   std::uint8_t limit_axis = 0xFF;            ///< axis of the last ENDSCHALTER stop, 0xFF none
   bool is_referenced = false;
-  std::uint64_t signals = 0;  ///< acoustic signals so far
-  std::uint64_t refused = 0;  ///< commands refused for their epoch so far
-  std::uint64_t dropped = 0;  ///< commands that did not fit the state (or came before a stop) so far
+  std::uint64_t references_lost = 0;  ///< how often a known position was lost so far
+  std::uint64_t signals = 0;          ///< acoustic signals so far
+  std::uint64_t refused = 0;          ///< commands refused for their epoch so far
+  std::uint64_t dropped = 0;          ///< commands that did not fit the state (or came before a stop) so far
 };
 
 /// Input 1 as it was in the tick in which block `sequence` (PathItem::sequence; 0 = START) of the run began, for G21
@@ -189,6 +190,8 @@ class Channel {
   /// Level: brake on the path and rest. Cleared by the next accepted Go, Jog or RunReference. Every cause but
   /// operator_stop also switches spindle and coolant off and abandons the run.
   void stop(StopCause cause);
+  /// Any thread, for the watchdog: the machine's `cut`, and a power-off as soon as the tick is alive again.
+  void cut() noexcept;
   /// MASCHINE HALT: stops as stop(machine_halt), and every start command is dropped until it is off again (AUTH-006).
   void latch(bool on);
   void set_override(double ratio);  ///< potentiometer 0..1

@@ -81,7 +81,7 @@ void ChannelTick::stop_for(StopCause cause) noexcept {
   if (activity_ == Activity::back_off && is_lease) return;  // part of a stop itself (AUTH-009)
   if (activity_ == Activity::back_off) {
     switches_.cancel();
-    referenced_ = {};
+    lose_reference();
     activity_ = Activity::none;
   }
   if (activity_ != Activity::none) {
@@ -111,8 +111,13 @@ void ChannelTick::abandon_run() noexcept {
   abandon_at_rest_ = false;
 }
 
+void ChannelTick::lose_reference() noexcept {
+  if (referenced_ != std::array<bool, 3>{}) ++references_lost_;
+  referenced_ = {};
+}
+
 void ChannelTick::lose_reference_if_fast() noexcept {
-  if (speed_mm_per_s_ > limits_.start_stop_mm_per_s * 1.000001) referenced_ = {};
+  if (speed_mm_per_s_ > limits_.start_stop_mm_per_s * 1.000001) lose_reference();
 }
 
 void ChannelTick::power_off() noexcept {

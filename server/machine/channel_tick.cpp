@@ -76,7 +76,7 @@ void ChannelTick::back_off_tick(double tick_s) noexcept {
   switches_.advance(tick_s, 1, false, inputs_, counters_);
   speed_mm_per_s_ = switches_.speed_mm_per_s();
   if (!switches_.is_done()) return;
-  if (switches_.has_failed()) referenced_ = {};
+  if (switches_.has_failed()) lose_reference();
   for (std::size_t i = 0; i < 4; ++i) {
     if (switches_.has_axis(i)) counters_.set_istwert(i, 0);
   }
@@ -145,6 +145,7 @@ void ChannelTick::report() noexcept {
   now.block_start_count = run_.start_count;
   now.limit_axis = limit_axis_;
   now.is_referenced = referenced_[0] && referenced_[1] && referenced_[2];
+  now.references_lost = references_lost_;
   now.signals = signals_;
   now.refused = refused_;
   now.dropped = dropped_;

@@ -50,6 +50,7 @@ class ChannelTick {
   void heed_machine() noexcept;
   void stop_at_switches(const Directions& active) noexcept;
   void power_off() noexcept;
+  void lose_reference() noexcept;
   void lose_reference_if_fast() noexcept;
   void switch_off_tools() noexcept;
 
@@ -133,6 +134,7 @@ class ChannelTick {
   Tool tool_;
   CutBase cut_base_;
   std::array<bool, 3> referenced_{};
+  std::uint64_t references_lost_ = 0;
   std::uint8_t limit_axis_ = 0xFF;
   std::uint64_t tick_ = 0, stops_seen_ = 0, orders_ = 0, signals_ = 0, refused_ = 0, dropped_ = 0;
   bool was_started_ = false;  ///< in the last tick: the tick in which a run ends is traced too

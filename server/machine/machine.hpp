@@ -27,10 +27,10 @@
 //     no steps from the next tick on, and no PowerOn as long as it lasts. A driver that loses its electronics raises it
 //     instead of throwing.
 //  7. A watchdog belongs into the electronics: when no tick came for some 20 ms, take the current away. The lab has one
-//     of its own (tick_thread.hpp), which cannot help when the computer itself has stopped. Neither is an emergency
-//     stop: that is hardware (AUTH-010).
+//     of its own (watchdog.hpp), which calls `cut`, and cannot help when the computer itself has stopped. Neither is an
+//     emergency stop: that is hardware (AUTH-010).
 //
-// Life: made before its channel, outlives it. Nothing is called from other threads but what the driver adds itself.
+// Life: made before its channel, outlives it. Nothing but `cut` is called from another thread than the tick's.
 // Implementations: `SimulatedMachine` (simulated_machine.hpp), `MachineRecorder` and `ReplayMachine` (recorder.hpp).
 #pragma once
 
@@ -74,6 +74,11 @@ class Machine {
 
   /// One tick: takes the outputs, returns the inputs that hold now.
   virtual Inputs exchange(const Outputs& outputs) noexcept = 0;
+
+  /// From the watchdog's thread, while `exchange` may hang: takes the current from the motors and switches the spindle
+  /// off by whatever way still works, throws queued steps away, and keeps it so until an `exchange` with `drives_on`
+  /// false was seen. The lab sends that as soon as it ticks again.
+  virtual void cut() noexcept {}
 };
 
 }  // namespace cnclab::machine

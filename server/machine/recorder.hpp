@@ -30,6 +30,7 @@ class MachineRecorder final : public Machine {
   explicit MachineRecorder(Machine& machine, std::size_t most_bytes = kUsualBytes);
 
   Inputs exchange(const Outputs& outputs) noexcept override;
+  void cut() noexcept override { machine_.cut(); }
 
   /// Any thread: what was recorded until now, whole ticks.
   [[nodiscard]] std::vector<std::uint8_t> bytes() const;

@@ -27,9 +27,11 @@ SimulatedMachine::Travel SimulatedMachine::travel_of(const MachineData& data) {
 
 Inputs SimulatedMachine::exchange(const Outputs& outputs) noexcept {
   if (const auto newest = travel_.try_load()) seen_ = *newest;
+  if (!outputs.drives_on) is_cut_.store(false, std::memory_order_relaxed);
+  const bool has_current = outputs.drives_on && !is_cut_.load(std::memory_order_acquire);
   Inputs inputs;
   for (std::size_t axis = 0; axis < 4; ++axis) {
-    if (outputs.drives_on) {
+    if (has_current) {
       const std::int64_t end = seen_.to_end[axis];
       position_[axis] = std::clamp(position_[axis] + outputs.steps[axis], -end, end);
     }

@@ -25,6 +25,8 @@ class SimulatedMachine final : public Machine {
 
   Inputs exchange(const Outputs& outputs) noexcept override;
 
+  void cut() noexcept override { is_cut_.store(true, std::memory_order_release); }
+
   /// One thread besides the tick: travel, steps/mm and switch polarity from the next tick on. The axes keep their
   /// steps.
   void set_data(const MachineData& data) noexcept { travel_.store(travel_of(data)); }
@@ -46,6 +48,7 @@ class SimulatedMachine final : public Machine {
   SeqLock<Travel> travel_;
   Travel seen_;  ///< tick side
   std::array<std::int64_t, 4> position_{};
+  std::atomic<bool> is_cut_{false};
   std::atomic<std::uint32_t> inputs_{0};  ///< bit 0 Input 1, 8..15 card 1, 16..23 card 2
 };
 

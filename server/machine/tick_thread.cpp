@@ -28,9 +28,13 @@ void wait_until(std::int64_t time_ns) {
   }
 }
 
-std::string take_real_time_priority(std::thread& thread) {
+/// 0, or the error.
+int take_real_time_priority(std::thread& thread) {
   const sched_param parameter{.sched_priority = kPriority};
-  const int error = pthread_setschedparam(thread.native_handle(), SCHED_FIFO, &parameter);
+  return pthread_setschedparam(thread.native_handle(), SCHED_FIFO, &parameter);
+}
+
+std::string describe_priority(int error) {
   if (error == 0) return fmt::format("SCHED_FIFO {}", kPriority);
   return fmt::format("ordinary scheduling ({})", std::strerror(error));
 }
@@ -56,6 +60,7 @@ struct TickThread::Impl {
   std::atomic<std::uint64_t> ticks{0}, late{0};
   std::atomic<std::int64_t> longest_delay_ns{0};
   std::string privileges;
+  bool is_real_time = false;
   std::thread thread;
 
   void run();
@@ -91,7 +96,9 @@ void TickThread::Impl::run() {
 
 TickThread::TickThread() : impl_(std::make_unique<Impl>()) {
   impl_->thread = std::thread([impl = impl_.get()] { impl->run(); });
-  impl_->privileges = take_real_time_priority(impl_->thread) + ", " + lock_memory();
+  const int error = take_real_time_priority(impl_->thread);
+  impl_->is_real_time = error == 0;
+  impl_->privileges = describe_priority(error) + ", " + lock_memory();
 }
 
 TickThread::~TickThread() {
@@ -100,6 +107,8 @@ TickThread::~TickThread() {
 }
 
 const std::string& TickThread::privileges() const { return impl_->privileges; }
+
+bool TickThread::is_real_time() const { return impl_->is_real_time; }
 
 bool TickThread::add(std::shared_ptr<Channel> channel) {
   for (std::size_t i = 0; i < kMostChannels; ++i) {

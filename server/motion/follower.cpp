@@ -59,6 +59,7 @@ void Follower::begin(std::uint64_t run, const geometry::Point& position, const L
   position_ = position;
   speed_ = way_ = odometer_ = 0;
   sequence_ = finished_sequence_ = 0;
+  free_row_ = {};
   forget_hold();
   drop_old_runs();
 }
@@ -70,6 +71,7 @@ void Follower::abandon() noexcept {
   run_ = 0;
   rest();
   way_ = 0;
+  free_row_ = {};
   forget_hold();
   drop_old_runs();
 }
@@ -125,10 +127,23 @@ bool Follower::can_rest_at(const Search& place) const noexcept {
   return speed_ * speed_ <= reachable_sq * (1 + kJointTolerance);
 }
 
+/// Looks further along the row of ways under M23, some per tick, so that it costs each of them once.
+void Follower::extend_free_row() noexcept {
+  const std::uint64_t front = queue_.popped_number();
+  if (!free_row_.has_begun || free_row_.next < front) free_row_ = {true, front, front, odometer_ - way_};
+  for (int i = 0; i < kSearchPerTick; ++i, ++free_row_.next) {
+    const Segment* segment = of_this_run(free_row_.next);
+    if (segment == nullptr || (segment->is_motion && !segment->item.override_off)) return;
+    if (!segment->is_motion) continue;
+    free_row_.motion = free_row_.next;
+    free_row_.ends_mm += segment->length_mm;
+  }
+}
+
 /// Slower segments ahead under the potentiometer: what the exit speeds, made for 100 %, do not know.
 ///
 /// Beyond the segments looked at the planned profile scaled by the ratio is kept, which is slower than needed but can
-/// always be kept: scaled, every ramp in it only becomes flatter.
+/// always be kept: scaled, every ramp in it only becomes flatter. Ways under M23 are passed over first.
 double Follower::override_envelope_sq(const Segment& segment, double ratio, double time_s) const noexcept {
   const double ramp = 2 * limits_.acceleration_mm_per_s2;
   const double rest_from = limits_.start_stop_mm_per_s;
@@ -138,6 +153,11 @@ double Follower::override_envelope_sq(const Segment& segment, double ratio, doub
   double envelope_sq = std::numeric_limits<double>::infinity();
   std::uint64_t number = queue_.popped_number();
   std::uint64_t motion = number;
+  if (segment.item.override_off && free_row_.next > number) {
+    way = std::max(way, free_row_.ends_mm - odometer_);
+    number = free_row_.next - 1;
+    motion = free_row_.motion;
+  }
   for (int i = 0; i < kOverrideLookAhead; ++i) {
     if (way > horizon) return envelope_sq;
     const Segment* next = of_this_run(++number);
@@ -247,6 +267,7 @@ Advance Follower::advance(double time_s, const Demand& demand) noexcept {
   done.left_s = time_s;
   if (!demand.single_block) forget_hold();
   if (demand.single_block && !hold_.is_chosen) seek_hold();
+  if (demand.override_ratio < 1) extend_free_row();
   for (int pieces = 0; pieces < kMostPieces && done.left_s > 0 && !done.held; ++pieces) {
     const Segment* segment = current();
     done.starved = segment == nullptr;

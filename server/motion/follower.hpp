@@ -89,9 +89,18 @@ class Follower {
     double at_mm = 0;
   };
 
+  /// The row of ways from the front on at which the potentiometer does not act (M23), as far as it was looked at.
+  struct FreeRow {
+    bool has_begun = false;
+    std::uint64_t next = 0;    ///< the first segment behind it
+    std::uint64_t motion = 0;  ///< the last motion in it
+    double ends_mm = 0;        ///< on the odometer
+  };
+
   [[nodiscard]] const Segment* of_this_run(std::uint64_t number) const noexcept;
   [[nodiscard]] Course course_ahead(const Segment& segment, const Demand& demand, double time_s) const noexcept;
   [[nodiscard]] double override_envelope_sq(const Segment& segment, double ratio, double time_s) const noexcept;
+  void extend_free_row() noexcept;
   [[nodiscard]] bool can_rest_at(const Search& place) const noexcept;
   void seek_hold() noexcept;
   void forget_hold() noexcept;
@@ -113,6 +122,7 @@ class Follower {
   bool rest_due_ = false;  ///< this tick is to be spent at rest
   Hold hold_;
   Search search_;
+  FreeRow free_row_;
   geometry::SourceBlock source_;
   std::uint64_t sequence_ = 0;
   bool is_rapid_ = false;

@@ -118,7 +118,8 @@ void prepare_start(AutomatMode& mode, const ControlState& state) {
   mode.programs = state.memory.snapshot();
   mode.is_rebuilt = program != nullptr && state.settings.start_in_middle_rebuilds &&
                     mode.block_number() != program->blocks.front().number;
-  if (mode.is_rebuilt) mode.first_modal = program::rebuild_modal(mode.programs, *program, mode.block_number(), state.modal);
+  if (mode.is_rebuilt)
+    mode.first_modal = program::rebuild_modal(mode.programs, *program, mode.block_number(), state.modal);
 }
 
 Place place_of(const AutomatMode& mode, const ControlState& state) {

@@ -3,7 +3,7 @@
 
 namespace cnclab::panel {
 
-Place place_of(const ComingMode& mode) { return mode.mode == Mode::graphics ? Place::graphics : Place::external_data; }
+Place place_of(const ComingMode&) { return Place::external_data; }
 
 void draw(const ComingMode&, const ControlState& state, Monitor& monitor) {
   const std::string_view notice = text(Text::in_preparation, state.tongue());

@@ -2,6 +2,7 @@
 #include "panel/control.hpp"
 
 #include <algorithm>
+#include <tuple>
 #include <utility>
 
 #include "panel/key_table.hpp"
@@ -80,8 +81,10 @@ struct Control::Impl {
   /// RESET in any state: as STOP, spindle and coolant off, menu; programs and parameters stay (D-121, DEC-39).
   void reset(Outcome& outcome) {
     change_mode(Mode::menu, outcome);
+    outcome.was_reset = true;
     state.message = {};
     state.modal = {};
+    state.compensation_mm = {};
     if (!state.connection.channel) return;
     machine::Channel& channel = *state.connection.channel;
     channel.stop(machine::StopCause::operator_stop);
@@ -193,14 +196,20 @@ Outcome Control::press_chord(const std::vector<Key>& keys, const Now& now) {
            std::ranges::all_of(chord, [&](Key key) { return std::ranges::count(keys, key) == 1; });
   };
   if (impl_->state.storing) return outcome;
+  impl_->state.now = now;
   impl_->state.hint.clear();
-  if (holds({Key::DOWN, Key::RESET})) impl_->reset(outcome);
+  if (holds({Key::DOWN, Key::RESET})) {
+    impl_->reset(outcome);
+    impl_->state.initialise();  // cold start: the working state goes too, the memory stays (ERR-040, D-121)
+  }
   if (holds({Key::ENTER, Key::RESET})) {
     impl_->reset(outcome);
     impl_->open_service_mode(Mode::machine_data, outcome);
   }
   // D-17: polled in the menu only; elsewhere the keys are data.
-  if (holds({Key::D3, Key::D6, Key::D9}) && impl_->place() == Place::menu)
+  const auto [first, second, third] =
+      impl_->state.settings.keys_19inch ? std::tuple(Key::D1, Key::D4, Key::D7) : std::tuple(Key::D3, Key::D6, Key::D9);
+  if (holds({first, second, third}) && impl_->place() == Place::menu)
     impl_->open_service_mode(Mode::memory_test, outcome);
   return outcome;
 }
@@ -251,7 +260,7 @@ Screen Control::draw(const Now& now, const SideView& side) const {
   Canvas canvas;
   Monitor monitor(canvas);
   draw_frame(canvas);
-  draw_header(monitor, mode(), state.settings, now.wall, state.memory.free_bytes());
+  draw_header(monitor, mode(), state.settings, state.clock.at(now), state.memory.free_bytes());
   panel::draw(impl_->active, state, monitor);
   monitor.write(Monitor::kMessageRow, state.message.column, state.message.monitor);
   const machine::Snapshot machine = state.machine();
@@ -299,6 +308,13 @@ int Control::take_beeps() {
 }
 
 bool Control::alarm_tone() const { return impl_->state.run.sounds_alarm(); }
+
+void Control::set_ram_fault(bool is_faulty) { impl_->state.is_ram_faulty = is_faulty; }
+
+void Control::tell_data_restored() {
+  ControlState& state = impl_->state;
+  state.complain(language::ErrorCode::checksum_wrong, std::string(text(Text::said_data_restored, state.tongue())));
+}
 
 const Memory& Control::memory() const { return impl_->state.memory; }
 

@@ -35,6 +35,7 @@ struct Settings {
   bool hints = true;                     ///< row 18 says why a key was ignored
   bool start_in_middle_rebuilds = true;  ///< DEC-26
   int memory_bytes = 16384;
+  bool keys_19inch = false;         ///< the memory test is called by 1+4+7 instead of 3+6+9 (D-17)
   LongWork long_work = do_at_once;  ///< who does what takes longer than a key may
 };
 
@@ -79,6 +80,7 @@ using StoreRequest = std::variant<PutBlock, InsertBlock, DeleteBlock, RemoveProg
 struct Outcome {
   std::optional<StoreRequest> store;
   bool mode_changed = false;  ///< the lab keeps the control's state (SEAT-004)
+  bool was_reset = false;     ///< RESET, alone or in a chord: a lease ends (DEC-39)
 };
 
 /// What stands on a screen and decides whether a START pressed before it is still meant (AUTH-008).
@@ -132,6 +134,11 @@ class Control {
   /// Short tones since the last call; and whether the repeated tone of M01 sounds.
   [[nodiscard]] int take_beeps();
   [[nodiscard]] bool alarm_tone() const;
+
+  /// A fault of the CMOS RAM for the memory test to find (ERR-034).
+  void set_ram_fault(bool is_faulty);
+  /// The stored machine data had a wrong check code: those of the ROM hold now, and the screen says so (ERR-014).
+  void tell_data_restored();
 
   [[nodiscard]] const Memory& memory() const;
   [[nodiscard]] int override_percent() const;

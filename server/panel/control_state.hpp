@@ -9,6 +9,7 @@
 #include "language/check_block.hpp"
 #include "language/error.hpp"
 #include "panel/control.hpp"
+#include "panel/panel_clock.hpp"
 #include "panel/run.hpp"
 #include "panel/texts.hpp"
 #include "program/modal_state.hpp"
@@ -52,6 +53,8 @@ struct ControlState {
   std::string hint;  ///< why the last key was ignored; row 18 only
   std::optional<StoreRequest> storing;
   int beeps = 0;
+  PanelClock clock;
+  bool is_ram_faulty = false;     ///< injected: the memory test finds it (ERR-034)
   Now now;                        ///< of the newest call
   std::optional<Mode> next_mode;  ///< a mode asks for another one to be opened after this key or poll
 

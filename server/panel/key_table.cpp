@@ -136,6 +136,19 @@ constexpr std::array kRows{
     stop(Place::teach_moving, Text::help_stop),
 
     menu(Place::external_data),
+
+    digits(Place::graphics_program),
+    clear(Place::graphics_program),
+    enter(Place::graphics_program, Text::help_confirm),
+    menu(Place::graphics_program),
+
+    start(Place::graphics, Text::help_play),
+    stop(Place::graphics, Text::help_stop),
+    one(Place::graphics, Key::EINZELSATZ, Effect::single_block, Text::help_single),
+    KeyRow{Place::graphics, Key::D1, Key::D4, Effect::digit, Text::help_view},
+    KeyRow{Place::graphics, Key::D5, Key::D6, Effect::digit, Text::help_zoom},
+    directions(Place::graphics, Text::help_pan),
+    one(Place::graphics, Key::DOWN, Effect::down, Text::help_next_finding),
     menu(Place::graphics),
 
     digits(Place::erase_program),

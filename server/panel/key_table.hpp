@@ -35,7 +35,9 @@ enum class Place : std::uint8_t {
   teach_moving,   ///< START state
   // Modes in preparation
   external_data,
-  graphics,
+  // GRAFIK
+  graphics_program,  ///< program number prompt
+  graphics,          ///< the picture, playing or not
   // SPEICHER LÖSCHEN
   erase_program,  ///< program number prompt
   erase_all,      ///< C was pressed: → erases the whole memory

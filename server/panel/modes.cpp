@@ -28,11 +28,14 @@ ActiveMode open_mode(Mode mode, ControlState& state) {
       return EraseMemoryMode{};
     case Mode::editor:
       return open_editor(state);
-    case Mode::external_data:
     case Mode::graphics:
-    case Mode::machine_data:
-    case Mode::memory_test:
+      return open_graphics(state);
+    case Mode::external_data:
       return ComingMode{mode};
+    case Mode::machine_data:
+      return open_machine_data(state);
+    case Mode::memory_test:
+      return MemoryTestMode{};
   }
   return MenuMode{};
 }
@@ -50,7 +53,9 @@ Mode mode_of(const ActiveMode& mode) {
       Overloaded{
           [](const MenuMode&) { return Mode::menu; }, [](const HandMode&) { return Mode::hand; },
           [](const HandInputMode&) { return Mode::hand_input; }, [](const TeachInMode&) { return Mode::teach_in; },
-          [](const EraseMemoryMode&) { return Mode::erase_memory; }, [](const AutomatMode&) { return Mode::automat; },
+          [](const EraseMemoryMode&) { return Mode::erase_memory; }, [](const GraphicsMode&) { return Mode::graphics; },
+          [](const MachineDataMode&) { return Mode::machine_data; },
+          [](const MemoryTestMode&) { return Mode::memory_test; }, [](const AutomatMode&) { return Mode::automat; },
           [](const EditorMode&) { return Mode::editor; }, [](const ComingMode& coming) { return coming.mode; }},
       mode);
 }

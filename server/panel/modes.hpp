@@ -8,15 +8,18 @@
 #include "panel/coming_mode.hpp"
 #include "panel/editor_mode.hpp"
 #include "panel/erase_memory_mode.hpp"
+#include "panel/graphics_mode.hpp"
 #include "panel/hand_input_mode.hpp"
 #include "panel/hand_mode.hpp"
+#include "panel/machine_data_mode.hpp"
+#include "panel/memory_test_mode.hpp"
 #include "panel/menu_mode.hpp"
 #include "panel/teach_in_mode.hpp"
 
 namespace cnclab::panel {
 
-using ActiveMode =
-    std::variant<MenuMode, HandMode, HandInputMode, TeachInMode, AutomatMode, EditorMode, EraseMemoryMode, ComingMode>;
+using ActiveMode = std::variant<MenuMode, HandMode, HandInputMode, TeachInMode, AutomatMode, EditorMode, GraphicsMode,
+                                EraseMemoryMode, MachineDataMode, MemoryTestMode, ComingMode>;
 
 [[nodiscard]] ActiveMode open_mode(Mode mode, ControlState& state);
 /// Called before another mode becomes active.

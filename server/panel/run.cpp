@@ -20,16 +20,8 @@ constexpr double kLeastLookAhead_s = 2;
 /// A command given now is in the snapshot two ticks later: the tick that runs may have read the ring already.
 constexpr std::uint64_t kAnswerTicks = 2;
 
-program::Settings interpreter_settings(const RunOrder& order, bool is_lab_machine) {
-  const machine::MachineData& data = order.data;
-  program::Settings settings;
-  settings.f_max_mm_per_min = static_cast<double>(data.get(6));
-  settings.s_max_rpm = static_cast<double>(data.get(7));
-  for (int axis = 0; axis < 3; ++axis)
-    settings.travel_mm[static_cast<std::size_t>(axis)] = static_cast<double>(data.get(3 + axis)) / 1000.0;
-  for (int axis = 0; axis < 4; ++axis)
-    settings.steps_per_mm[static_cast<std::size_t>(axis)] = static_cast<double>(data.get(14 + axis));
-  settings.vocabulary = order.vocabulary;
+program::Settings settings_of(const RunOrder& order, bool is_lab_machine) {
+  program::Settings settings = interpreter_settings(order.data, order.vocabulary);
   settings.outputs_at_end_off = is_lab_machine && !order.is_single_function;
   return settings;
 }
@@ -53,8 +45,20 @@ bool acts_at_block_start(int m) { return m == 3 || m == 4 || m == 8 || m == 13 |
 
 }  // namespace
 
+program::Settings interpreter_settings(const machine::MachineData& data, const language::Vocabulary& vocabulary) {
+  program::Settings settings;
+  settings.f_max_mm_per_min = static_cast<double>(data.get(6));
+  settings.s_max_rpm = static_cast<double>(data.get(7));
+  for (int axis = 0; axis < 3; ++axis)
+    settings.travel_mm[static_cast<std::size_t>(axis)] = static_cast<double>(data.get(3 + axis)) / 1000.0;
+  for (int axis = 0; axis < 4; ++axis)
+    settings.steps_per_mm[static_cast<std::size_t>(axis)] = static_cast<double>(data.get(14 + axis));
+  settings.vocabulary = vocabulary;
+  return settings;
+}
+
 std::expected<void, language::Error> Run::begin(const Connection& connection, RunOrder order) {
-  const program::Settings settings = interpreter_settings(order, connection.is_lab_machine);
+  const program::Settings settings = settings_of(order, connection.is_lab_machine);
   auto source = program::PathSource::begin(order.programs, settings, order.start);
   if (!source) return std::unexpected(source.error());
   *this = Run{};

@@ -48,6 +48,10 @@ struct RunEnd {
   std::array<double, 3> compensation_mm{};  ///< Istwert minus Sollwert where a program ended; else 0 (D-75)
 };
 
+/// What execution must know of the machine and the configuration.
+[[nodiscard]] program::Settings interpreter_settings(const machine::MachineData& data,
+                                                     const language::Vocabulary& vocabulary);
+
 class Run {
  public:
   enum class State : std::uint8_t {

@@ -16,7 +16,8 @@ using Json = nlohmann::json;
 
 constexpr int kLargestFeed = 9999, kLargestCode = 99;
 constexpr std::int64_t kLargestFactor = 9'999'999;
-constexpr std::int64_t kLargestParameter = 9'999'999'999;  // ±9999.999999 (DEC-52)
+constexpr std::int64_t kLargestParameter = 9'999'999'999;        // ±9999.999999 (DEC-52)
+constexpr std::int64_t kLargestOffset_s = 200LL * 366 * 86'400;  // two centuries
 constexpr double kLargestIstwert_mm = 9999.999;
 
 Json modal_json(const program::ModalState& modal) {
@@ -138,6 +139,7 @@ std::string write_state(const ActiveMode& mode, const ControlState& state) {
             {"istwert", {machine.istwert_mm[0], machine.istwert_mm[1], machine.istwert_mm[2]}},
             {"editor_program", state.editor_program},
             {"automat_program", state.automat_program},
+            {"clock_offset", state.clock.offset_s()},
             {"taught", taught_json(state.taught)}};
   if (const auto* erase = std::get_if<EraseMemoryMode>(&mode))
     json["erase_memory"]["program"] = field_json(erase->program);
@@ -158,6 +160,7 @@ ReadState read_state(const std::string& text, ControlState& state) {
   if (const Json* parameters = member_of(json, "parameters")) state.parameters = parameters_of(*parameters);
   state.editor_program = static_cast<std::uint16_t>(integer_in(json, "editor_program", 0, language::kLastProgram, 1));
   state.automat_program = static_cast<std::uint16_t>(integer_in(json, "automat_program", 0, language::kLastProgram, 1));
+  state.clock.set_offset_s(integer_in(json, "clock_offset", -kLargestOffset_s, kLargestOffset_s, 0));
   if (const Json* taught = member_of(json, "taught")) state.taught = taught_of(*taught);
   if (const Json* istwert = member_of(json, "istwert");
       istwert != nullptr && istwert->is_array() && istwert->size() == 3) {

@@ -106,7 +106,8 @@ Outcome check_range(const BlockRun& run) {
 Outcome check_radius_compensation(const BlockRun& run) {
   const auto [first, second] = indices_of(run.state.modal.plane).in_plane;
   const bool is_on = run.state.modal.radius != RadiusCompensation::off;
-  const bool is_still_beside = (run.state.shifted_axes & (axis_bit(first) | axis_bit(second))) != 0;
+  const auto beside = static_cast<AxisSet>(run.state.shifted_axes | run.state.contour_axes);
+  const bool is_still_beside = (beside & (axis_bit(first) | axis_bit(second))) != 0;
   if (!is_on && !is_still_beside) return {};
   return error_at(ErrorCode::compensation_impossible, run.source, 'G', fmt::format("G{:02}", run.block.function.code),
                   is_on ? "G40" : "G00, G01");

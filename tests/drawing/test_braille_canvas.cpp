@@ -28,16 +28,6 @@ TEST(BrailleCanvas, EachDotHasItsCode) {
   }
 }
 
-TEST(BrailleCanvas, WithoutBrailleCellsFill) {
-  std::string seen;
-  BrailleCanvas canvas;
-  for (int dot = 0; dot < 9; ++dot) {
-    seen += canvas.ascii_row_text(0)[0];
-    canvas.set(dot % 2, dot / 2);
-  }
-  EXPECT_EQ(seen, " ..:::###");
-}
-
 TEST(BrailleCanvas, LinesRunFromEndToEnd) {
   BrailleCanvas canvas;
   canvas.line({0.5, 0.5}, {127.5, 51.5});

@@ -12,10 +12,10 @@
 namespace cnclab::drawing {
 namespace {
 
-std::string text_of(const BrailleCanvas& canvas, bool is_ascii = false) {
+std::string text_of(const BrailleCanvas& canvas) {
   std::string text;
   for (int row = 0; row < BrailleCanvas::kCellRows; ++row)
-    text += "|" + (is_ascii ? canvas.ascii_row_text(row) : canvas.row_text(row)) + "|\n";
+    text += "|" + canvas.row_text(row) + "|\n";
   return text;
 }
 
@@ -54,7 +54,6 @@ TEST_F(GraphicView, EachViewIsDrawnAsReviewed_DEC_37) {
   expect_golden("xz", text_of(draw_scene(scene, {.view = View::xz})));
   expect_golden("yz", text_of(draw_scene(scene, {.view = View::yz})));
   expect_golden("iso", text_of(draw_scene(scene, {.view = View::iso})));
-  expect_golden("xy_ascii", text_of(draw_scene(scene, {.view = View::xy}), true));
 }
 
 TEST_F(GraphicView, ZoomAndPanMoveTheWindow_DEC_37) {

@@ -39,12 +39,28 @@ TEST(StoredControl, STO_003_TextThatIsNoBlockIsDamageToo) {
   EXPECT_EQ(memory.find(1)->blocks[0].number, 7);
 }
 
-TEST(StoredControl, ERR_014_AMachineDatumWithAWrongCheckCodeHasItsStandardValue) {
+TEST(StoredControl, ERR_014_ADatumWithAWrongCheckCodePutsTheWholeRomSetInPlace) {
   auto wrong = stored_datum(6, 2000);
+  EXPECT_EQ(machine_data_of({stored_datum(7, 1234), wrong}).get(7), 1234);
   wrong.value = 2500;
-  const auto data = machine_data_of({stored_datum(7, 1234), wrong});
-  EXPECT_EQ(data.get(7), 1234);
-  EXPECT_EQ(data.get(6), 3000);
+  EXPECT_TRUE(is_damaged({stored_datum(7, 1234), wrong}));
+  EXPECT_EQ(machine_data_of({stored_datum(7, 1234), wrong}), machine::MachineData{});
+}
+
+TEST(StoredControl, STO_005_OnlyChangedMachineDataAreWritten) {
+  auto database = db::Database::open(":memory:").value();
+  db::Person person;
+  person.name = "eva";
+  person.role = "student";
+  const auto id = database.add_person(person, 1).value();
+  const db::Author author{"eva", 3, 1};
+  database.put_machine_datum(id, {6, 2500, 1}, author);
+  carry_out(database, id, panel::PutMachineData{}, author);
+  EXPECT_FALSE(is_damaged(database.machine_data(id))) << "a wrong check code is renewed";
+  machine::MachineData data;
+  ASSERT_TRUE(data.set(22, 0));
+  carry_out(database, id, panel::PutMachineData{data}, author);
+  EXPECT_EQ(machine_data_of(database.machine_data(id)), data);
 }
 
 TEST(StoredControl, StoresWhatAControlAsksFor) {

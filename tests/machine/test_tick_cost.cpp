@@ -6,6 +6,8 @@
 #include <new>
 
 #include "channel_rig.hpp"
+#include "machine/milling.hpp"
+#include "machine/recorder.hpp"
 
 namespace {
 std::atomic<bool> counting{false};
@@ -60,6 +62,8 @@ TEST(TickCost, NoTickOfAnyKindAllocates) {
 
   ChannelRig rig(data_with({{3, 60'000}}));
   rig.channel.record_trace(true);
+  CutFeed cuts;
+  rig.channel.feed_cuts(&cuts);
   Items items;
   items.line_to({5, 5, 0, 0}).add(geometry::Spindle{geometry::SpindleTurn::clockwise, 100}).add(geometry::Dwell{0.1});
   items.add(
@@ -83,6 +87,28 @@ TEST(TickCost, NoTickOfAnyKindAllocates) {
   EXPECT_EQ(sum, 0U);
   EXPECT_EQ(rig.channel.snapshot().cause, StopCause::lease_ended);
   EXPECT_GT(rig.machine.moving_ticks, 2000);
+  EXPECT_TRUE(cuts.ring.pop()) << "the workpiece was fed";
+}
+
+TEST(TickCost, RecordingAndReplayingAllocateNothing) {
+  SimulatedMachine simulated({});
+  MachineRecorder recorder(simulated, 4000);
+  Outputs outputs;
+  allocations = 0;
+  counting = true;
+  for (int i = 0; i < 2000; ++i) {
+    outputs.steps = {i % 9, -i, 0, 0};
+    (void)recorder.exchange(outputs);
+  }
+  counting = false;
+  EXPECT_EQ(allocations, 0U);
+  EXPECT_GT(recorder.ticks_lost(), 0U) << "also when it is full";
+  const auto bytes = recorder.bytes();
+  ReplayMachine replay(bytes);
+  counting = true;
+  for (int i = 0; i < 2000; ++i) (void)replay.exchange(outputs);
+  counting = false;
+  EXPECT_EQ(allocations, 0U);
 }
 
 }  // namespace

@@ -228,6 +228,40 @@ TEST(Follower, M023OverrideOffIgnoresThePotentiometer) {
   EXPECT_NEAR(rig.time_s(), trapezoid_s(30, 20), 1.01e-3);
 }
 
+TEST(Follower, M023RowOfShortWaysRunsAtFullFeedWhateverThePotentiometerSays) {
+  for (const double ratio : {0.0, 0.05, 0.6}) {
+    PathRig rig(standard());
+    std::vector<geometry::PathItem> items;
+    for (int i = 0; i < 3000; ++i) {
+      items.push_back(line({i * 0.01, 0, 0, 0}, {(i + 1) * 0.01, 0, 0, 0}, 3000));
+      items.back().override_off = true;
+      if (i % 7 == 0) items.push_back(item_of(geometry::Mark{}));
+    }
+    items.push_back(item_of(geometry::End{}));
+    rig.append(items);
+    ASSERT_TRUE(rig.run_out({.override_ratio = ratio}));
+    EXPECT_NEAR(rig.time_s(), trapezoid_s(30, 50), 2.1e-3) << ratio;
+    EXPECT_EQ(broken_rule(rig, {}), "") << ratio;
+  }
+}
+
+TEST(Follower, M023RowIsLeftAtThePotentiometersSpeed) {
+  PathRig rig(standard());
+  std::vector<geometry::PathItem> items;
+  for (int i = 0; i < 4000; ++i) {
+    items.push_back(line({i * 0.01, 0, 0, 0}, {(i + 1) * 0.01, 0, 0, 0}, 3000));
+    items.back().override_off = i < 2000;
+  }
+  items.push_back(item_of(geometry::End{}));
+  rig.append(items);
+  double fastest = 0;
+  while (rig.follower().position().x < 20) fastest = std::max(fastest, rig.tick({.override_ratio = 0.2}).speed);
+  EXPECT_GT(fastest, 49) << "20 mm are enough for F MAX and back";
+  EXPECT_NEAR(rig.follower().speed_mm_per_s(), 10, 0.2);
+  ASSERT_TRUE(rig.run_out({.override_ratio = 0.2}));
+  EXPECT_EQ(broken_rule(rig, {}), "");
+}
+
 TEST(Follower, DEC40SlowerBlockAheadIsMetAtItsScaledSpeed) {
   PathRig rig(standard());
   rig.append({line({}, {20, 0, 0, 0}, 3000), line({20, 0, 0, 0}, {40, 0, 0, 0}, 900)});

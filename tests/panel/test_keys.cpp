@@ -13,7 +13,8 @@ namespace {
 
 // The matrix KEY-090 as the manual has it, column by column: MN HA HE TI AU XD GR SL EM MDM. "-" is ignored.
 //
-//   move, run … the mode's own effect; → opens a mode. GR and XD come with the functions they show; of them only MENU.
+//   move, run … the mode's own effect; → opens a mode. XD comes with the functions it shows; of it only MENU. GR is
+//   DEC-37.
 struct MatrixRow {
   std::string_view keys;
   std::array<std::string_view, 10> cells;
@@ -21,17 +22,17 @@ struct MatrixRow {
 
 constexpr MatrixRow kMatrix[] = {
     {"HAND", {"open_hand", "-", "open_hand", "open_hand", "-", "-", "-", "-", "-", "-"}},
-    {"START", {"-", "start", "start", "start", "start", "-", "-", "-", "-", "-"}},
-    {"STOP", {"-", "stop", "-", "stop", "-", "-", "-", "-", "-", "-"}},
+    {"START", {"-", "start", "start", "start", "start", "-", "start", "-", "-", "-"}},
+    {"STOP", {"-", "stop", "-", "stop", "-", "-", "stop", "-", "-", "-"}},
     {"PLUS_X MINUS_X PLUS_Y MINUS_Y PLUS_Z MINUS_Z",
-     {"-", "direction", "-", "direction", "-", "-", "-", "-", "-", "-"}},
+     {"-", "direction", "-", "direction", "-", "-", "direction", "-", "-", "-"}},
     {"ISTWERT", {"-", "istwert", "-", "-", "-", "-", "-", "-", "-", "-"}},
     {"FRAESER", {"-", "spindle", "-", "spindle", "-", "-", "-", "-", "-", "-"}},
     {"KUEHLMITTEL", {"-", "coolant", "-", "coolant", "-", "-", "-", "-", "-", "-"}},
     {"AUTOMAT", {"open_automat", "-", "-", "-", "-", "-", "-", "-", "-", "-"}},
     {"GRAFIK", {"open_graphics", "-", "-", "-", "-", "-", "-", "-", "-", "-"}},
     {"MENU", {"-", "menu", "menu", "menu", "menu", "menu", "menu", "menu", "menu", "menu"}},
-    {"EINZELSATZ", {"-", "-", "-", "-", "single", "-", "-", "-", "-", "-"}},
+    {"EINZELSATZ", {"-", "-", "-", "-", "single", "-", "single", "-", "-", "-"}},
     {"REFERENZ", {"-", "reference", "-", "-", "-", "-", "-", "-", "-", "-"}},
     {"EXTERNE_DATEN", {"open_external", "-", "-", "-", "-", "-", "-", "-", "-", "-"}},
     {"TEACH_IN", {"open_teach", "open_teach", "-", "-", "-", "-", "-", "-", "-", "-"}},
@@ -40,12 +41,12 @@ constexpr MatrixRow kMatrix[] = {
     {"EINGABE", {"open_editor", "-", "-", "store", "-", "-", "-", "-", "store", "enter"}},
     {"HANDEINGABE", {"open_input", "open_input", "-", "-", "-", "-", "-", "-", "-", "-"}},
     {"SATZ_LOESCHEN", {"-", "-", "-", "-", "-", "-", "-", "-", "erase", "-"}},
-    {"0 1 2 3 4 5 6 7 8 9", {"-", "digit", "digit", "digit", "digit", "-", "-", "digit", "digit", "digit"}},
+    {"0 1 2 3 4 5 6 7 8 9", {"-", "digit", "digit", "digit", "digit", "-", "digit", "digit", "digit", "digit"}},
     {"POINT", {"-", "point", "point", "point", "-", "-", "-", "-", "point", "-"}},
     {"SIGN", {"-", "sign", "sign", "sign", "-", "-", "-", "-", "sign", "-"}},
-    {"DOWN", {"-", "-", "-", "-", "-", "-", "-", "-", "down", "-"}},
-    {"CLEAR", {"-", "clear", "clear", "clear", "clear", "-", "-", "clear", "clear", "clear"}},
-    {"ENTER", {"-", "-", "enter", "enter", "enter", "-", "-", "enter", "enter", "enter"}},
+    {"DOWN", {"-", "-", "-", "-", "-", "-", "down", "-", "down", "-"}},
+    {"CLEAR", {"-", "clear", "clear", "clear", "clear", "-", "clear", "clear", "clear", "clear"}},
+    {"ENTER", {"-", "-", "enter", "enter", "enter", "-", "enter", "enter", "enter", "enter"}},
     {"MELDUNG MASCHINE_HALT LABOR RESET",  // the lab's own; RESET acts apart from the table
      {"-", "-", "-", "-", "-", "-", "-", "-", "-", "-"}},
 };
@@ -96,7 +97,7 @@ const std::vector<Column> kColumns{
     {"TI", {Place::teach_program, Place::teach_ready, Place::teach_word}},
     {"AU", {Place::automat_program, Place::automat_block, Place::automat_ready}},
     {"XD", {Place::external_data}},
-    {"GR", {Place::graphics}},
+    {"GR", {Place::graphics_program, Place::graphics}},
     {"SL", {Place::erase_program, Place::erase_all}},
     {"EM", {Place::editor_program, Place::editor_number, Place::editor_function, Place::editor_word}},
     {"MDM", {Place::machine_data}},
@@ -231,8 +232,13 @@ constexpr Scene kScenes[] = {
     {"TI ready", "TEACH_IN ENTER", Place::teach_ready},
     {"TI word", "TEACH_IN ENTER ENTER", Place::teach_word},
     {"XD", "EXTERNE_DATEN", Place::external_data},
-    {"GR", "GRAFIK", Place::graphics},
+    {"GR program", "GRAFIK", Place::graphics_program},
+    {"GR", "GRAFIK ENTER", Place::graphics},
     {"SL", "SPEICHER_LOESCHEN", Place::erase_program},
+    {"MDM", "ENTER+RESET", Place::machine_data},
+    {"MT list", "3+6+9", Place::memory_list},
+    {"MT asked", "3+6+9 SPEICHER_LOESCHEN", Place::memory_confirm},
+    {"MT", "3+6+9 SPEICHER_LOESCHEN SPEICHER_LOESCHEN", Place::memory_running},
     {"SL all", "SPEICHER_LOESCHEN CLEAR", Place::erase_all},
 };
 
@@ -246,10 +252,11 @@ TEST(Keys, KEY_090_IgnoredKeysChangeNeitherMonitorNorState) {
       bench.keys(scene.keys);
       bench.run_for(10);
       const std::string before = visible_state(bench);
+      const int stores = bench.stores();
       bench.press(key);
       bench.run_for(10);
       EXPECT_EQ(visible_state(bench), before);
-      EXPECT_EQ(bench.stores(), 0);
+      EXPECT_EQ(bench.stores(), stores);
       EXPECT_FALSE(bench.snapshot().started);
       EXPECT_EQ(bench.control.take_beeps(), 0);
     }

@@ -1,0 +1,39 @@
+// Zeros in machine steps.
+#include "machine/zero_book.hpp"
+
+namespace cnclab::machine {
+
+void ZeroBook::keep(std::int64_t student, const Snapshot& now) {
+  zeros_.erase(student);
+  if (!now.is_referenced) return;
+  Zero zero;
+  zero.references_lost = now.references_lost;
+  for (std::size_t i = 0; i < 3; ++i) {
+    zero.steps[i] = static_cast<double>(now.steps[i]) - now.istwert_mm[i] * per_mm_[i];
+  }
+  zeros_.emplace(student, zero);
+}
+
+std::optional<std::array<double, 3>> ZeroBook::istwert(std::int64_t student, const Snapshot& now) const {
+  const auto kept = zeros_.find(student);
+  if (kept == zeros_.end() || !now.is_referenced) return std::nullopt;
+  if (kept->second.references_lost != now.references_lost) return std::nullopt;
+  std::array<double, 3> mm{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    mm[i] = (static_cast<double>(now.steps[i]) - kept->second.steps[i]) / per_mm_[i];
+  }
+  return mm;
+}
+
+void ZeroBook::set_steps_per_mm(const std::array<double, 3>& steps_per_mm) {
+  per_mm_ = steps_per_mm;
+  zeros_.clear();
+}
+
+bool ZeroConfirmation::asks(Epoch lease, bool has_absolute_motion) {
+  if (!has_absolute_motion || asked_ == lease) return false;
+  asked_ = lease;
+  return true;
+}
+
+}  // namespace cnclab::machine
