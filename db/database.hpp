@@ -81,11 +81,18 @@ class Database {
 
   // Runs
   std::int64_t begin_run(const RunRecord& run);
-  void end_run(std::int64_t id, double seconds, const std::string& ended);
+  /// Takes seconds, ended, ticks and digest of `run`.
+  void end_run(std::int64_t id, const RunRecord& run);
+  /// Goes on numbering behind those that the run has already.
+  void add_run_events(std::int64_t run, const std::vector<RunEvent>& events);
+  [[nodiscard]] std::vector<RunEvent> run_events(std::int64_t run);  ///< in their order
+  [[nodiscard]] std::optional<RunRecord> run(std::int64_t id);
   void add_trace(std::int64_t run, std::int64_t first_tick, const std::string& data);
   [[nodiscard]] std::vector<RunRecord> runs(PersonId id);  ///< newest first
   [[nodiscard]] std::string trace(std::int64_t run);       ///< all records joined
-  void forget_old_traces(int keep);                        ///< keeps the traces of the newest `keep` runs that have one
+  /// Keeps of each person the newest `keep` runs, and none that began before.
+  void forget_old_runs(std::int64_t before_ms, int keep);
+  void forget_old_traces(int keep);  ///< keeps the traces of the newest `keep` runs that have one
 
   // Single values of the lab
   [[nodiscard]] std::optional<std::string> value(const std::string& key);

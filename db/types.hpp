@@ -79,6 +79,16 @@ struct RunRecord {
   std::string setup{};  ///< JSON
   std::optional<double> seconds{};
   std::string ended{};
+  std::int64_t ticks = 0;  ///< while it was started
+  std::string digest{};    ///< of its steps; empty where it was recorded without
+};
+
+/// What acted on a run, by the tick it acted in: counted from 0 at START, and only while the run is started.
+struct RunEvent {
+  std::int64_t tick = 0;
+  std::string kind{};  ///< "go", "stop", "override", "single_block", "inputs"
+  double value = 0;
+  friend bool operator==(const RunEvent&, const RunEvent&) = default;
 };
 
 }  // namespace cnclab::db

@@ -67,4 +67,13 @@ void append_in_step_grid(const PathItem& item, const std::array<double, 4>& step
   }
 }
 
+void run_in_step_grid(std::vector<PathItem>& items, const std::array<double, 4>& steps_per_mm) {
+  const bool are_equal = steps_per_mm[0] == steps_per_mm[1] && steps_per_mm[1] == steps_per_mm[2];
+  if (are_equal || items.empty()) return;
+  std::vector<PathItem> run;
+  run.reserve(items.size());
+  for (const PathItem& item : items) append_in_step_grid(item, steps_per_mm, run);
+  items = std::move(run);
+}
+
 }  // namespace cnclab::geometry

@@ -21,4 +21,7 @@ namespace cnclab::geometry {
 /// more than F START/STOP at any of them.
 void append_in_step_grid(const PathItem& item, const std::array<double, 4>& steps_per_mm, std::vector<PathItem>& out);
 
+/// The same for a whole batch, in place; costs nothing where all steps/mm are equal.
+void run_in_step_grid(std::vector<PathItem>& items, const std::array<double, 4>& steps_per_mm);
+
 }  // namespace cnclab::geometry

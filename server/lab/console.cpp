@@ -90,12 +90,13 @@ void Console::answer(const std::shared_ptr<Visit>& visit, const v1::InstructorRe
       return runs(reply, request.runs());
     case R::kRunTrace:
       return run_trace(reply, request.run_trace());
+    case R::kRunReplay:
+      return run_replay(reply, request.run_replay());
     case R::kJournal:
       return journal(reply, request.journal());
     case R::kBackup:
       return backup(reply);
     case R::kRemote:
-    case R::kRunReplay:
     case R::WHAT_NOT_SET:
       return send_error(reply, lab_.say(reply.tongue, "Diesen Befehl kennt der Server nicht.",
                                         "This server does not know that command."));

@@ -69,6 +69,7 @@ class Console {
   // console_records.cpp
   void runs(const Reply& reply, const v1::StudentName& request) const;
   void run_trace(const Reply& reply, const v1::RunName& request) const;
+  void run_replay(const Reply& reply, const v1::RunName& request) const;
   void journal(const Reply& reply, const v1::JournalQuery& request) const;
   void backup(const Reply& reply) const;
 

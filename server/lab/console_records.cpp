@@ -2,8 +2,11 @@
 #include <fmt/format.h>
 
 #include <ctime>
+#include <nlohmann/json.hpp>
 
 #include "lab/console_ask.hpp"
+#include "lab/run_order_json.hpp"
+#include "lab/run_replay.hpp"
 
 namespace cnclab::lab {
 
@@ -19,6 +22,47 @@ std::optional<std::int64_t> parse_since(const std::string& text) {
     if (end != nullptr && *end == '\0') return static_cast<std::int64_t>(std::mktime(&time)) * 1000;
   }
   return std::nullopt;
+}
+
+/// Everything that a replay needs, or why it cannot be.
+RecordedRun recorded(db::Database& database, std::int64_t number) {
+  const auto record = database.run(number);
+  if (!record) throw Refusal{fmt::format("Lauf {} gibt es nicht.", number), fmt::format("There is no run {}.", number)};
+  if (record->digest.empty())
+    throw Refusal{
+        fmt::format("Lauf {} ist nicht zum Wiederholen aufgezeichnet (Handbetrieb, oder noch nicht zu Ende).", number),
+        fmt::format("Run {} is not recorded for replay (manual motion, or not over yet).", number)};
+  const auto setup = nlohmann::json::parse(record->setup, nullptr, false);
+  const auto unreadable = [&](const std::string& what) {
+    return Refusal{fmt::format("Lauf {}: nicht lesbar: {}", number, what),
+                   fmt::format("Run {}: cannot be read: {}", number, what)};
+  };
+  if (!setup.is_object() || !setup.contains("order")) throw unreadable("setup");
+  auto order = order_of(setup["order"], database, record->person);
+  if (!order) throw unreadable(order.error());
+  RecordedRun run{.order = std::move(*order),
+                  .is_lab_machine = record->machine == "lab",
+                  .machine_data = {},
+                  .steps = setup.value("steps", std::array<std::int64_t, 4>{}),
+                  .events = database.run_events(number),
+                  .ticks = static_cast<std::uint64_t>(record->ticks),
+                  .digest = record->digest,
+                  .trace = trace_steps(database.trace(number))};
+  for (int pass = 0; pass < 2; ++pass)
+    for (const auto& [datum, value] : setup.at("machine_data").items())
+      static_cast<void>(run.machine_data.set(std::stoi(datum), value));
+  return run;
+}
+
+v1::InstructorItem replay_item(std::uint32_t number, const ReplayResult& result) {
+  v1::InstructorItem item;
+  auto& replayed = *item.mutable_replay();
+  replayed.set_id(number);
+  replayed.set_same(result.same);
+  replayed.set_ticks(static_cast<double>(result.ticks));
+  replayed.set_largest_deviation_mm(result.largest_deviation_mm);
+  replayed.set_detail(result.detail);
+  return item;
 }
 
 }  // namespace
@@ -56,6 +100,23 @@ void Console::run_trace(const Reply& reply, const v1::RunName& request) const {
       [reply](const Console& console, const std::string& packed) {
         const auto limits = machine::motion_limits(console.lab_.machine_data_);
         console.send_file(reply, trace_csv(packed, limits.steps_per_mm));
+      });
+}
+
+void Console::run_replay(const Reply& reply, const v1::RunName& request) const {
+  ask_store(
+      reply,
+      [number = static_cast<std::int64_t>(request.run())](db::Database& database) {
+        return recorded(database, number);
+      },
+      [reply, number = request.run()](const Console& console, const RecordedRun& run) {
+        Lab& lab = console.lab_;
+        lab.long_work_.enqueue([&lab, post = lab.post_, alive = lab.alive_, reply, number, run] {
+          post([&lab, alive, reply, number, result = replay(run)] {
+            if (*alive && reply.visit->stage == Stage::at_console)
+              Console(lab).send(reply, {replay_item(number, result)});
+          });
+        });
       });
 }
 

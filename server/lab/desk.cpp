@@ -12,12 +12,13 @@ constexpr machine::Epoch kTrainingEpoch{1};
 }  // namespace
 
 Desk::Desk(db::Person who, panel::Settings settings, panel::Memory memory, const machine::MachineData& data,
-           machine::TickThread& ticks)
+           machine::TickThread& ticks, db::Store& store)
     : person(std::move(who)),
       control(std::move(settings), std::move(memory), data),
       ticks_(ticks),
       machine_(data),
       training_(std::make_shared<machine::Channel>(machine_, data)) {
+  recorder = std::make_unique<RunRecorder>(store, training_, RunRecorder::Keeps::digest);
   training_->grant(kTrainingEpoch, machine::kNeverExpires);
   if (!ticks_.add(training_)) throw std::runtime_error("every place at the tick is taken");
   connect_training();

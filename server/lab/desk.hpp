@@ -11,6 +11,7 @@
 #include "cnclab/v1/keys.pb.h"
 #include "db/types.hpp"
 #include "lab/authority.hpp"
+#include "lab/run_recorder.hpp"
 #include "lab/screen_feed.hpp"
 #include "machine/channel.hpp"
 #include "machine/simulated_machine.hpp"
@@ -35,7 +36,7 @@ struct Input {
 struct Desk {
   /// Takes part in the tick from now on; throws std::runtime_error when the tick has no place left.
   Desk(db::Person person, panel::Settings settings, panel::Memory memory, const machine::MachineData& data,
-       machine::TickThread& ticks);
+       machine::TickThread& ticks, db::Store& store);
   ~Desk();
   Desk(const Desk&) = delete;
   Desk& operator=(const Desk&) = delete;
@@ -57,6 +58,7 @@ struct Desk {
   std::int64_t made_ns = 0;        ///< power on of this control (DEC-64)
   panel::Control control;
   bool on_lab_machine = false;
+  std::unique_ptr<RunRecorder> recorder;  ///< of the training machine
 
   // Who else has a hand on the keyboard (lab_keyboards.cpp)
   bool is_locked = false;            ///< but for STOP and MASCHINE HALT (AUTH-016)

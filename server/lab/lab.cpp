@@ -19,6 +19,8 @@ constexpr std::int64_t kLoginDeadline_ns = 10 * kSecond_ns;  ///< SEC-005
 constexpr std::int64_t kSilence_ns = 5 * kSecond_ns;         ///< SEAT-004
 constexpr std::size_t kMostUnknown = 64;                     ///< connections that are not logged in (SEC-005)
 
+constexpr int kRunsKept = 1000;  ///< of each person
+
 AuthorityRules rules_of(const Configuration& configuration) {
   AuthorityRules rules;
   rules.accept_needed = configuration.accept;
@@ -49,7 +51,7 @@ Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& tic
       backup_(inheritance.database, post_),
       machine_(machine_data_),
       channel_(std::make_shared<machine::Channel>(machine_, machine_data_)),
-      recorder_(store, channel_) {
+      recorder_(store, channel_, RunRecorder::Keeps::trace) {
   if (!ticks_.add(channel_)) throw std::runtime_error("the tick has no place for the lab's machine");
   keep_epoch();
   write_journal("server_start", "nobody has control, position unreferenced");  // AUTH-012
@@ -134,11 +136,12 @@ void Lab::poll() {
     return all;
   }();
   for (const DeskPtr& desk : desks) {
-    if (auto polled = desk->control.poll(now(*desk)); polled.store) store(desk, std::move(*polled.store), 0);
+    if (panel::Outcome followed = desk->control.poll(now(*desk)); followed.store || followed.mode_changed)
+      outcome(desk, std::move(followed), 0);
+    record_run(desk);
     if (!desk->is_seated() && now_ns >= desk->keep_until_ns) dismiss(desk);
     if (now_ns - desk->last_saved_ns >= 10 * kSecond_ns) save_state(desk);
   }
-  record_run();
   draw_due(now_ns);
   watch_connections(now_ns);
   if (now_ns - journal_flushed_ns_ >= kSecond_ns / 5) flush_journal();
@@ -179,6 +182,7 @@ void Lab::close() {
     farewell(visit, 10, say(tongue_of(visit->person), "Der Server wird beendet.", "The server is shutting down."));
   }
   recorder_.end("server_end");
+  for (const auto& [id, desk] : desks_) desk->recorder->end("server_end");
   flush_journal();
 }
 
@@ -209,6 +213,7 @@ void Lab::keep_house(std::int64_t now_ns) {
   store_.run(
       [oldest_entry_ms, oldest_archive_ms](db::Database& database) {
         database.forget_journal_before(oldest_entry_ms);
+        database.forget_old_runs(oldest_entry_ms, kRunsKept);
         for (const db::Person& person : database.people(true))
           if (person.archived_ms && *person.archived_ms < oldest_archive_ms) database.erase(person.id);
       },

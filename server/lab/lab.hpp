@@ -152,7 +152,9 @@ class Lab {
   [[nodiscard]] MachineView machine_view() const;
   void heard(const VisitPtr& visit, std::uint64_t beat);
   void keep_epoch();
-  void record_run();
+  /// Begins, follows and ends the record of what the desk's control runs.
+  void record_run(const DeskPtr& desk);
+  void end_recording(const DeskPtr& desk, RunRecorder& recorder, machine::StopCause cause);
 
   // lab_screens.cpp
   void draw_due(std::int64_t now_ns);

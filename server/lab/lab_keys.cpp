@@ -185,6 +185,9 @@ void Lab::outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t num
   desk->is_dirty = true;
   if (outcome.store) store(desk, std::move(*outcome.store), number);
   if (outcome.mode_changed) save_state(desk);
+  if (outcome.was_reset && desk->on_lab_machine)  // DEC-39
+    static_cast<void>(decide(Deprived{desk->login, "RESET"}, tongue_of(desk->person)));
+  record_run(desk);  // a run that begins now is recorded with the versions that the store has now
 }
 
 void Lab::store(const DeskPtr& desk, panel::StoreRequest request, std::uint64_t number) {

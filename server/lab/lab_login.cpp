@@ -34,6 +34,11 @@ panel::Settings settings_for(const Configuration& configuration, const db::Perso
   settings.hints = configuration.hints;
   settings.start_in_middle_rebuilds = configuration.start_in_middle == "rebuilt";
   settings.memory_bytes = configuration.memory_bytes;
+  settings.rests_accumulate = configuration.rests == "original";
+  settings.io_cards = {};
+  for (const int card : configuration.io_cards) settings.io_cards.at(static_cast<std::size_t>(card - 1)) = true;
+  settings.keys_19inch = configuration.keys_19inch;
+  settings.remote = configuration.remote;
   return settings;
 }
 
@@ -238,7 +243,7 @@ void Lab::load_desk(const VisitPtr& visit) {
                settings.long_work = [this](std::function<void()> job) { long_work_.enqueue(std::move(job)); };
                const auto desk = std::make_shared<Desk>(person, std::move(settings),
                                                         memory_of(stored->programs, configuration_.memory_bytes),
-                                                        machine_data_of(stored->machine_data), ticks_);
+                                                        machine_data_of(stored->machine_data), ticks_, store_);
                if (!stored->state.empty()) desk->control.restore_state(stored->state);
                if (is_damaged(stored->machine_data)) restore_machine_data(desk);
                desk->made_ns = clock_.monotonic_ns();
@@ -348,6 +353,7 @@ void Lab::dismiss(const DeskPtr& desk) {
     return;
   }
   save_state(desk);
+  end_recording(desk, *desk->recorder, machine::StopCause::operator_stop);
   desks_.erase(desk->person.id);
   everybody_changed();
 }

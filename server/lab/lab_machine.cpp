@@ -1,8 +1,8 @@
 // The lab's machine: what authority decides is carried out here, in its order.
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "lab/lab.hpp"
 
@@ -93,15 +93,16 @@ void Lab::connect_lab_machine(LoginId login) {
   for (const auto& [id, desk] : desks_) {
     if (desk->login != login) continue;
     desk->stop_training();
+    end_recording(desk, *desk->recorder, machine::StopCause::operator_stop);
     desk->on_lab_machine = true;
-    desk->control.connect({channel_, authority_.newest(), true, machine_data_});
+    desk->control.connect({channel_, authority_.newest(), true, machine_data_, configuration_.require_reference});
     lab_desk_ = desk;
   }
 }
 
 void Lab::disconnect_lab_machine() {
   if (const DeskPtr desk = lab_desk_.lock()) {
-    recorder_.end(std::string(name_of(channel_->snapshot().cause)));
+    end_recording(desk, recorder_, channel_->snapshot().cause);
     desk->connect_training();
   }
   lab_desk_.reset();
@@ -141,21 +142,33 @@ void Lab::keep_epoch() {
              });
 }
 
-void Lab::record_run() {
-  const machine::Snapshot snapshot = channel_->snapshot();
-  const DeskPtr desk = lab_desk_.lock();
-  if (!recorder_.is_recording() && snapshot.started && desk) {
+void Lab::record_run(const DeskPtr& desk) {
+  RunRecorder& recorder = desk->on_lab_machine ? recorder_ : *desk->recorder;
+  const machine::Channel& channel = desk->on_lab_machine ? *channel_ : *desk->training();
+  const auto order = desk->control.run_order();
+  const machine::Snapshot snapshot = channel.snapshot();
+  const bool is_over = recorder.is_recording() && recorder.order() != order.get();
+  const bool hand_is_over = recorder.is_recording() && !order && !snapshot.started && !goes_on(snapshot.cause);
+  if (is_over || hand_is_over) end_recording(desk, recorder, snapshot.cause);
+  // By hand only the lab's machine is of interest, and only its trace.
+  const bool by_hand = desk->on_lab_machine && snapshot.started;
+  if (!recorder.is_recording() && (order || by_hand)) {
     const auto situation = desk->control.situation();
-    nlohmann::json setup{{"software", "cnclab 0.1.0"}, {"potentiometer", desk->control.override_percent()}};
-    for (const auto& form : machine::datum_forms())
-      setup["machine_data"][std::to_string(form.number)] = machine_data_.get(form.number);
-    setup["istwert"] = {snapshot.istwert_mm[0], snapshot.istwert_mm[1], snapshot.istwert_mm[2]};
-    recorder_.begin({desk->person.id, desk->station, static_cast<std::uint64_t>(authority_.newest()), situation.program,
-                     situation.block, clock_.unix_ms(), setup.dump()});
+    const int program = order ? order->start.program : situation.program;
+    const int block = order ? order->start.block : situation.block;
+    recorder.begin({desk->person.id, desk->station,
+                    static_cast<std::uint64_t>(desk->on_lab_machine ? authority_.newest() : Epoch{}), program, block,
+                    clock_.unix_ms(), order, desk->on_lab_machine ? machine_data_ : order->data});
+    write_journal("run", fmt::format("P{:04} N{:03} {}", program, block, desk->on_lab_machine ? "lab" : "training"),
+                  desk->station, desk->person.name, desk->on_lab_machine ? authority_.newest() : Epoch{});
   }
-  recorder_.poll();
-  if (recorder_.is_recording() && !snapshot.started && !goes_on(snapshot.cause))
-    recorder_.end(std::string(name_of(snapshot.cause)));
+  recorder.poll();
+}
+
+void Lab::end_recording(const DeskPtr& desk, RunRecorder& recorder, machine::StopCause cause) {
+  if (!recorder.is_recording()) return;
+  recorder.end(std::string(name_of(cause)));
+  write_journal("run_end", std::string(name_of(cause)), desk->station, desk->person.name);
 }
 
 }  // namespace cnclab::lab

@@ -6,6 +6,11 @@
 #include <bit>
 #include <cstring>
 #include <iterator>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "lab/run_order_json.hpp"
+#include "lab/software.hpp"
 
 namespace cnclab::lab {
 
@@ -67,31 +72,61 @@ std::string trace_csv(const std::string& packed, const std::array<double, 4>& st
   return csv;
 }
 
+std::vector<std::array<std::int32_t, 4>> trace_steps(const std::string& packed) {
+  std::vector<std::array<std::int32_t, 4>> all(packed.size() / kRecord_bytes);
+  const char* record = packed.data();
+  for (auto& steps : all) {
+    const char* at = record + sizeof(std::uint64_t);
+    for (std::int32_t& axis : steps) axis = get<std::int32_t>(at);
+    record += kRecord_bytes;
+  }
+  return all;
+}
+
+void TrajectoryDigest::add(const std::array<std::int32_t, 4>& steps) {
+  constexpr std::uint64_t kPrime = 0x100000001b3;
+  for (const std::int32_t axis : steps)
+    for (int shift = 0; shift < 32; shift += 8)
+      state_ = (state_ ^ (static_cast<std::uint32_t>(axis) >> shift & 0xFFU)) * kPrime;
+}
+
+std::string TrajectoryDigest::text() const { return fmt::format("{:016x}", state_); }
+
 struct RunRecorder::Run {
   std::optional<std::int64_t> id;  ///< known once the store has answered
   std::uint64_t ticks = 0;
   std::uint64_t lost = 0;
+  std::size_t noted = 0;  ///< events so far
+  TrajectoryDigest digest;
+  machine::TickLevels levels;  ///< of the last tick
+  std::vector<db::RunEvent> events;
 };
 
-RunRecorder::RunRecorder(db::Store& store, std::shared_ptr<machine::Channel> channel)
-    : store_(store), channel_(std::move(channel)) {
+RunRecorder::RunRecorder(db::Store& store, std::shared_ptr<machine::Channel> channel, Keeps keeps)
+    : store_(store), channel_(std::move(channel)), keeps_(keeps) {
   channel_->record_trace(true);
 }
 
 void RunRecorder::begin(const RunStart& start) {
   run_ = std::make_shared<Run>();
+  order_ = start.order;
   db::RunRecord record;
   record.person = start.person;
   record.station = start.station;
-  record.machine = "lab";
+  record.machine = keeps_ == Keeps::trace ? "lab" : "training";
   record.lease = start.lease;
   record.started_ms = start.unix_ms;
   record.program = start.program;
   record.block = start.block;
-  record.setup = start.setup;
-  // The store is a queue, so the id is known to every later job of this run, on the store's own thread.
+  nlohmann::json setup{{"software", kSoftware}, {"steps", channel_->snapshot().steps}};
+  for (const auto& form : machine::datum_forms())
+    setup["machine_data"][std::to_string(form.number)] = start.machine_data.get(form.number);
+  // The store is a queue, so the id is known to every later job of this run, on the store's own thread; and the
+  // versions found there are those at START.
   store_.run(
-      [run = run_, record](db::Database& database) {
+      [run = run_, record, setup, order = order_](db::Database& database) mutable {
+        if (order) setup["order"] = order_json(*order, database, record.person);
+        record.setup = setup.dump();
         run->id = database.begin_run(record);
         database.forget_old_traces(kTracesKept);
       },
@@ -102,13 +137,34 @@ void RunRecorder::poll() {
   points_.reserve(2 * kBatch);
   const std::size_t before = points_.size();
   const std::uint64_t lost = channel_->drain_trace(points_);
-  if (!run_ || run_->ticks >= kMostTicks) {
+  if (!run_) {
     points_.clear();
     return;
   }
   run_->lost += lost;
-  run_->ticks += points_.size() - before;
+  for (std::size_t i = before; i < points_.size(); ++i) take(points_[i]);
+  if (keeps_ == Keeps::digest || run_->ticks > kMostTicks) points_.clear();
   if (points_.size() >= kBatch) flush();
+  if (run_->events.size() >= kBatch) flush_events();
+}
+
+void RunRecorder::take(const machine::TracePoint& point) {
+  const machine::TickLevels& now = point.levels;
+  const machine::TickLevels& was = run_->levels;
+  const bool is_first = run_->ticks == 0;
+  // Levels before what they act on: a replay sets them in this order, then lets the tick pass.
+  if (is_first || now.override_ratio != was.override_ratio) note("override", static_cast<double>(now.override_ratio));
+  if (is_first || now.single_block != was.single_block) note("single_block", now.single_block ? 1 : 0);
+  if (is_first || now.inputs != was.inputs) note("inputs", now.inputs);
+  if (now.stops != 0) note("stop", now.stops);
+  if (now.go) note("go", 1);
+  run_->levels = now;
+  run_->digest.add(point.steps);
+  ++run_->ticks;
+}
+
+void RunRecorder::note(const char* kind, double value) {
+  if (++run_->noted <= kMostEvents) run_->events.push_back({static_cast<std::int64_t>(run_->ticks), kind, value});
 }
 
 void RunRecorder::flush() {
@@ -122,18 +178,33 @@ void RunRecorder::flush() {
   points_.clear();
 }
 
+void RunRecorder::flush_events() {
+  if (run_->events.empty()) return;
+  store_.run(
+      [run = run_, events = std::exchange(run_->events, {})](db::Database& database) {
+        if (run->id) database.add_run_events(*run->id, events);
+      },
+      [](const std::expected<void, db::StoreError>&) {});
+}
+
 void RunRecorder::end(const std::string& ended) {
   if (!run_) return;
   poll();
   flush();
-  const double seconds = static_cast<double>(run_->ticks) / 1000.0;
-  const std::string how = run_->lost == 0 ? ended : fmt::format("{} ({} ticks not traced)", ended, run_->lost);
+  flush_events();
+  db::RunRecord record;
+  record.seconds = static_cast<double>(run_->ticks) / 1000.0;
+  record.ended = run_->lost == 0 ? ended : fmt::format("{} ({} ticks not traced)", ended, run_->lost);
+  record.ticks = static_cast<std::int64_t>(run_->ticks);
+  const bool is_whole = order_ != nullptr && run_->lost == 0 && run_->noted <= kMostEvents;
+  if (is_whole) record.digest = run_->digest.text();
   store_.run(
-      [run = run_, seconds, how](db::Database& database) {
-        if (run->id) database.end_run(*run->id, seconds, how);
+      [run = run_, record](db::Database& database) {
+        if (run->id) database.end_run(*run->id, record);
       },
       [](const std::expected<void, db::StoreError>&) {});
   run_.reset();
+  order_.reset();
 }
 
 }  // namespace cnclab::lab

@@ -1,4 +1,5 @@
-// What the lab machine really did: each run and its trace, tick by tick, into the database (STO-007).
+// What a machine really did: each run with what decided its course, its events and the digest of its steps; the lab
+// machine's also tick by tick (STO-007).
 #pragma once
 
 #include <cstdint>
@@ -9,6 +10,7 @@
 
 #include "db/store.hpp"
 #include "machine/channel.hpp"
+#include "panel/run.hpp"
 
 namespace cnclab::lab {
 
@@ -19,18 +21,36 @@ struct RunStart {
   std::uint64_t lease = 0;
   int program = 0, block = 0;
   std::int64_t unix_ms = 0;
-  std::string setup;  ///< JSON: machine data, position, potentiometer, software
+  std::shared_ptr<const panel::RunOrder> order;  ///< nullptr: motion by hand, which cannot be replayed
+  machine::MachineData machine_data;             ///< of the machine itself: its travel
 };
 
-/// A run lasts from START to its end, over STOP, halts and single blocks. At most 10 minutes of it are traced.
+/// The steps of a run, boiled down: equal digests mean the same trajectory. FNV-1a over the four positions of each
+/// tick.
+class TrajectoryDigest {
+ public:
+  void add(const std::array<std::int32_t, 4>& steps);
+  [[nodiscard]] std::string text() const;  ///< 16 hexadecimal digits
+
+ private:
+  std::uint64_t state_ = 0xcbf29ce484222325;
+};
+
+/// A run lasts from START to its end, over STOP, halts and single blocks. Bounded: at most 10 minutes are traced, and
+/// kMostEvents events are kept; a run with more is recorded without a digest and cannot be replayed.
 class RunRecorder {
  public:
   static constexpr std::uint64_t kMostTicks = 600'000;
+  static constexpr std::size_t kMostEvents = 20'000;
   static constexpr int kTracesKept = 60;
 
-  RunRecorder(db::Store& store, std::shared_ptr<machine::Channel> channel);
+  enum class Keeps : std::uint8_t { digest, trace };
+
+  RunRecorder(db::Store& store, std::shared_ptr<machine::Channel> channel, Keeps keeps);
 
   [[nodiscard]] bool is_recording() const { return run_ != nullptr; }
+  /// Of the run being recorded.
+  [[nodiscard]] const panel::RunOrder* order() const { return order_.get(); }
   void begin(const RunStart& start);
   /// Takes what was traced since the last call; every 10 to 20 ms.
   void poll();
@@ -39,9 +59,15 @@ class RunRecorder {
 
  private:
   struct Run;
+  void take(const machine::TracePoint& point);
+  void note(const char* kind, double value);
   void flush();
+  void flush_events();
+
   db::Store& store_;
   std::shared_ptr<machine::Channel> channel_;
+  Keeps keeps_;
+  std::shared_ptr<const panel::RunOrder> order_;
   std::shared_ptr<Run> run_;
   std::vector<machine::TracePoint> points_;
 };
@@ -50,5 +76,7 @@ class RunRecorder {
 [[nodiscard]] std::string pack_trace(const std::vector<machine::TracePoint>& points);
 /// The trace CSV of interfaces.md section 5.
 [[nodiscard]] std::string trace_csv(const std::string& packed, const std::array<double, 4>& steps_per_mm);
+/// The positions of a packed trace, tick after tick.
+[[nodiscard]] std::vector<std::array<std::int32_t, 4>> trace_steps(const std::string& packed);
 
 }  // namespace cnclab::lab

@@ -154,6 +154,16 @@ struct Snapshot {
 /// with starts the older ones are forgotten, and the oldest known answers for them.
 [[nodiscard]] std::optional<bool> input_1_at_start(const Snapshot& now, std::uint64_t sequence);
 
+/// What acted on a run in one tick, as the tick itself saw it: with it a run can be played again (STO-007).
+struct TickLevels {
+  float override_ratio = 1;  ///< potentiometer 0..1
+  std::uint32_t inputs = 0;  ///< bit 0 Input 1, 8..15 card 1, 16..23 card 2, as they came back from the machine
+  std::uint16_t stops = 0;   ///< bit = StopCause, those heard in this tick
+  bool single_block = false;
+  bool go = false;  ///< a START took effect: begin, going on, release of a halt
+  friend bool operator==(const TickLevels&, const TickLevels&) = default;
+};
+
 /// One tick as it really was, for traces; trivially copyable.
 struct TracePoint {
   std::uint64_t tick = 0;
@@ -161,6 +171,7 @@ struct TracePoint {
   float speed_mm_per_min = 0;
   std::int32_t spindle_rpm = 0;  ///< negative counterclockwise
   geometry::SourceBlock source;
+  TickLevels levels;
 };
 
 struct CutFeed;

@@ -36,7 +36,7 @@ void ChannelTick::guard_lease(std::int64_t now_ns) noexcept {
   if (holder_ == Epoch{} || (lease_valid_ && lease_.epoch == holder_)) return;
   const bool by_expiry = static_cast<std::uint64_t>(holder_) <= expired_up_to_;
   holder_ = Epoch{};
-  stop_for(by_expiry ? StopCause::lease_expired : mail_.revoke_cause.load(std::memory_order_relaxed));
+  heed(by_expiry ? StopCause::lease_expired : mail_.revoke_cause.load(std::memory_order_relaxed));
 }
 
 bool ChannelTick::may(Epoch epoch) noexcept {
@@ -54,8 +54,14 @@ void ChannelTick::heed_stops() noexcept {
   stops_seen_ = count;
   const std::uint32_t causes = mail_.stop_causes.exchange(0, std::memory_order_acquire);
   for (std::uint32_t bit = 0; bit <= static_cast<std::uint32_t>(StopCause::error); ++bit) {
-    if ((causes >> bit & 1U) != 0) stop_for(static_cast<StopCause>(bit));
+    if ((causes >> bit & 1U) != 0) heed(static_cast<StopCause>(bit));
   }
+}
+
+/// A stop from outside the machine; the trace keeps it.
+void ChannelTick::heed(StopCause cause) noexcept {
+  levels_.stops = static_cast<std::uint16_t>(levels_.stops | 1U << static_cast<unsigned>(cause));
+  stop_for(cause);
 }
 
 /// The first cause wins; but one that abandons the run is what the operator must know.

@@ -47,7 +47,7 @@ void ChannelTick::obey(const Command& command, bool is_fresh) noexcept {
                  [&](const SetIstwert& c) { set_istwert(c); },
                  [&](const Jog& jog) { start_hand(jog, is_fresh); },
                  [&](const RunReference& reference) { start_reference(reference, is_fresh); },
-                 [&](const PowerOff&) { power_off(); },
+                 [&](const PowerOff&) { heed(StopCause::power_off); },
                  [&](const PowerOn&) { outputs_.drives_on = outputs_.drives_on || !inputs_.fault; },
              },
              command);
@@ -110,6 +110,7 @@ void ChannelTick::go(Epoch epoch, bool is_fresh) noexcept {
     const bool was_halt = run_.waiting == Waiting::halt;
     run_.waiting = Waiting::no;
     cause_ = StopCause::none;
+    levels_.go = true;
     // In single block the halt itself was the rest behind its block: this START already means the next one.
     if (was_halt) {
       static_cast<void>(follower_.pass_event());
@@ -129,6 +130,7 @@ void ChannelTick::go(Epoch epoch, bool is_fresh) noexcept {
     cut_base_ = {.steps = counters_.steps(), .is_new = true};
     for (std::size_t i = 0; i < 3; ++i) cut_base_.mm[i] = counters_.istwert_mm(i);
   }
+  levels_.go = true;
   if (run_.waiting == Waiting::halt) {  // START after STOP in a halt: the halt waited for just that
     run_.waiting = Waiting::no;
     static_cast<void>(follower_.pass_event());

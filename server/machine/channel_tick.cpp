@@ -11,6 +11,7 @@ ChannelTick::ChannelTick(Machine& machine, motion::SegmentQueue& queue, Mailbox&
 void ChannelTick::tick(std::int64_t now_ns, double tick_s) noexcept {
   ++tick_;
   was_started_ = started_;
+  levels_ = {};
   outputs_.signal = false;
   guard_lease(now_ns);
   heed_stops();
@@ -28,12 +29,15 @@ void ChannelTick::tick(std::int64_t now_ns, double tick_s) noexcept {
 
 void ChannelTick::move(double tick_s) noexcept {
   const double ratio = mail_.override_ratio.load(std::memory_order_relaxed);
+  const bool single_block = mail_.single_block.load(std::memory_order_relaxed);
+  levels_.override_ratio = static_cast<float>(ratio);
+  levels_.single_block = single_block;
   switch (activity_) {
     case Activity::none:
       speed_mm_per_s_ = 0;
       break;
     case Activity::run:
-      run_tick(tick_s, {ratio, braking_, mail_.single_block.load(std::memory_order_relaxed)});
+      run_tick(tick_s, {ratio, braking_, single_block});
       break;
     case Activity::hand:
       hand_tick(tick_s, ratio);
@@ -192,6 +196,9 @@ void ChannelTick::trace(const Snapshot& state) noexcept {
   const bool is_reversed = state.spindle == geometry::SpindleTurn::counterclockwise;
   point.spindle_rpm = is_reversed ? -state.spindle_rpm : state.spindle_rpm;
   point.source = state.source;
+  point.levels = levels_;
+  point.levels.inputs = (inputs_.input_1 ? 1U : 0U) | static_cast<std::uint32_t>(inputs_.cards[0]) << 8U |
+                        static_cast<std::uint32_t>(inputs_.cards[1]) << 16U;
   if (!ring->push(point)) mail_.trace_lost.fetch_add(1, std::memory_order_relaxed);
 }
 

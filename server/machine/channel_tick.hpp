@@ -43,6 +43,7 @@ class ChannelTick {
   void guard_lease(std::int64_t now_ns) noexcept;
   [[nodiscard]] bool may(Epoch epoch) noexcept;
   void heed_stops() noexcept;
+  void heed(StopCause cause) noexcept;
   void stop_for(StopCause cause) noexcept;
   void note_cause(StopCause cause) noexcept;
   void come_to_rest(StopCause cause) noexcept;
@@ -137,6 +138,7 @@ class ChannelTick {
   std::uint64_t references_lost_ = 0;
   std::uint8_t limit_axis_ = 0xFF;
   std::uint64_t tick_ = 0, stops_seen_ = 0, orders_ = 0, signals_ = 0, refused_ = 0, dropped_ = 0;
+  TickLevels levels_;         ///< of this tick
   bool was_started_ = false;  ///< in the last tick: the tick in which a run ends is traced too
 };
 

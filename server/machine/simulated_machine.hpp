@@ -34,6 +34,9 @@ class SimulatedMachine final : public Machine {
   /// Any thread: sets an input. card 0 = Input 1, cards 1 and 2 lines 1..8.
   void set_input(int card, int line, bool active) noexcept;
 
+  /// Puts the axes elsewhere, steps from the middle of the travel; before the first tick.
+  void place(const std::array<std::int64_t, 4>& steps) { position_ = steps; }
+
   /// Steps from the middle of the travel; tick side.
   [[nodiscard]] const std::array<std::int64_t, 4>& position_steps() const { return position_; }
 

@@ -5,6 +5,7 @@
 
 #include "panel/run_end.hpp"
 #include "panel/start_check.hpp"
+#include "program/reachable.hpp"
 #include "program/rebuild_modal.hpp"
 
 namespace cnclab::panel {
@@ -21,6 +22,8 @@ void confirm_program(AutomatMode& mode, ControlState& state) {
   }
   const std::uint16_t number = mode.program_number();
   mode.program.typed = 0;  // after a complaint the next digit begins another number
+  if (language::is_reserved_for_cycles(number))
+    return state.complain(Error{.code = ErrorCode::reserved_for_cycles, .program = number});
   const language::Program* program = number == language::kToolTable ? nullptr : state.memory.find(number);
   if (program == nullptr)
     return state.complain(Error{.code = ErrorCode::program_missing, .detail = program_word(number)});
@@ -50,11 +53,33 @@ void refuse_start(ControlState& state, const Error& failure) {
                  text(Text::said_failed_before, state.tongue(), {language::explain(failure, state.tongue())}));
 }
 
+/// Does the run measure from the machine's zero anywhere it can come to?
+bool uses_absolute(const AutomatMode& mode) {
+  constexpr language::Function kAbsolute{language::Function::Kind::g, 90};
+  bool found = mode.first_modal.dimension == program::Dimension::absolute;
+  program::walk_reachable(mode.programs, mode.program_number(), mode.block_number(),
+                          [&](geometry::SourceBlock, const language::Block& block) {
+                            found = found || block.function == kAbsolute;
+                            return !found;
+                          });
+  return found;
+}
+
+/// DEC-27: the first start of such a program under a lease asks whether the zero is right; a second START says yes.
+bool must_confirm_zero(AutomatMode& mode, ControlState& state) {
+  if (!state.connection.is_lab_machine || state.is_zero_confirmed || !uses_absolute(mode)) return false;
+  state.is_zero_confirmed = mode.asks_zero;
+  mode.asks_zero = true;
+  if (!state.is_zero_confirmed) state.hint = text(Text::said_confirm_zero, state.tongue());
+  return !state.is_zero_confirmed;
+}
+
 void begin_run(AutomatMode& mode, ControlState& state) {
   if (mode.failure) return refuse_start(state, *mode.failure);
   if (!may_run(state)) return;
   mode.has_ended = false;
   prepare_start(mode, state);
+  if (must_confirm_zero(mode, state)) return;
   RunOrder order{mode.programs,
                  {.program = mode.program_number(),
                   .block = mode.block_number(),
@@ -64,6 +89,8 @@ void begin_run(AutomatMode& mode, ControlState& state) {
                   .compensation_mm = state.compensation_mm},
                  state.effective_data(),
                  state.settings.vocabulary,
+                 state.settings.io_cards,
+                 state.settings.rests_accumulate,
                  state.settings.long_work};
   state.connection.channel->set_single_block(mode.single_block);
   const auto begun = state.run.begin(state.connection, std::move(order));
@@ -75,6 +102,10 @@ void begin_run(AutomatMode& mode, ControlState& state) {
 }
 
 void press_single_block(AutomatMode& mode, ControlState& state) {
+  if (state.run.ignores_single_block()) {
+    state.hint = text(Text::hint_single_hidden, state.tongue());  // KEY-046
+    return;
+  }
   const bool is_started = is_start_state(place_of(mode, state));
   if (is_started && mode.single_block) {
     state.hint = text(Text::hint_single_off, state.tongue());  // KEY-045
@@ -146,6 +177,7 @@ Place place_of(const AutomatMode& mode, const ControlState& state) {
 }
 
 void press(AutomatMode& mode, ControlState& state, Effect effect, int figure) {
+  if (effect != Effect::start) mode.asks_zero = false;
   if (effect == Effect::single_block) return press_single_block(mode, state);
   switch (mode.phase) {
     case AutomatMode::Phase::program:

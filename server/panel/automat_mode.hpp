@@ -22,6 +22,7 @@ struct AutomatMode {
   DigitField program{4, {}, 0}, block{3, {}, 0};
   bool single_block = false;               ///< off on entering (D-16)
   bool has_ended = false;                  ///< the program came to its end: row 18 says so
+  bool asks_zero = false;                  ///< START once more: the zero is right (DEC-27)
   bool is_rebuilt = false;                 ///< the run would begin in the middle (DEC-26)
   program::ModalState first_modal;         ///< with which the run would begin; shown before START (SCR-041)
   program::ProgramSet programs;            ///< which it would run, and whose blocks the window shows

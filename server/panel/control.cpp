@@ -147,8 +147,9 @@ void Control::connect(Connection connection) {
   ControlState& state = impl_->state;
   const bool had_run = state.run.is_present();
   const Mode mode = mode_of(impl_->active);
-  const bool falls_back =
-      mode == Mode::hand || mode == Mode::hand_input || mode == Mode::teach_in || mode == Mode::automat;
+  const bool drives = mode == Mode::hand || mode == Mode::hand_input || mode == Mode::teach_in || mode == Mode::automat;
+  const bool serves = mode == Mode::machine_data || mode == Mode::memory_test;
+  const bool falls_back = drives || (serves && connection.is_lab_machine);  // AUTH-003, DEC-39
   Outcome outcome;
   if (falls_back) impl_->change_mode(Mode::menu, outcome);
   state.connection = std::move(connection);
@@ -161,9 +162,12 @@ void Control::connect(Connection connection) {
   modal.blocks_hidden = modal.subprogram_blocks_hidden = modal.potentiometer_off = modal.test_run = false;
   modal.spindle = power_on.spindle;
   modal.coolant = power_on.coolant;
+  state.compensation_mm = {};
+  state.taught = {};  // positions of another machine mean nothing here
   state.message = {};
   if (had_run) state.message.sentence = text(Text::said_connected, state.tongue());
   impl_->signals_heard = state.machine().signals;
+  state.is_zero_confirmed = false;
   state.applied_data.reset();
   (void)state.apply_data();  // where it does not stand still yet, the next START tries again
   set_override(state.override_percent);
@@ -358,6 +362,8 @@ Situation Control::situation() const {
 }
 
 Mode Control::mode() const { return mode_of(impl_->active); }
+
+std::shared_ptr<const RunOrder> Control::run_order() const { return impl_->state.run.order(); }
 
 bool Control::is_running() const { return is_start_state(impl_->place()); }
 

@@ -30,6 +30,8 @@
 
 namespace cnclab::panel {
 
+struct RunOrder;
+
 /// Configuration of one control (interfaces.md [control], decisions.md DEC-08).
 struct Settings {
   language::Vocabulary vocabulary{};
@@ -37,9 +39,12 @@ struct Settings {
   bool hints = true;                     ///< row 18 says why a key was ignored
   bool start_in_middle_rebuilds = true;  ///< DEC-26
   int memory_bytes = 16384;
-  std::string student{};            ///< who stands on printed pages
-  bool keys_19inch = false;         ///< the memory test is called by 1+4+7 instead of 3+6+9 (D-17)
-  LongWork long_work = do_at_once;  ///< who does what takes longer than a key may
+  bool remote = false;       ///< the rear switch REMOTE lights the menu's field of EXTERNE DATEN (SCR-022)
+  std::string student{};     ///< who stands on printed pages
+  bool keys_19inch = false;  ///< the memory test is called by 1+4+7 instead of 3+6+9 (D-17)
+  std::array<bool, 3> io_cards{true, true, true};  ///< which are fitted (D-124)
+  bool rests_accumulate = false;                   ///< rests below one step add up as on the original (DEC-05)
+  LongWork long_work = do_at_once;                 ///< who does what takes longer than a key may
 };
 
 /// Local date and time for the header line (DEC-10).
@@ -158,6 +163,8 @@ class Control {
   [[nodiscard]] Situation situation() const;
   [[nodiscard]] Mode mode() const;
   [[nodiscard]] bool is_running() const;  ///< START state
+  /// What the run that is present was begun with, also while it rests; nullptr where there is none (STO-007).
+  [[nodiscard]] std::shared_ptr<const RunOrder> run_order() const;
   /// Short tones since the last call; and whether the repeated tone of M01 sounds.
   [[nodiscard]] int take_beeps();
   [[nodiscard]] bool alarm_tone() const;

@@ -59,6 +59,7 @@ struct ControlState {
   bool is_media_pending = false;                   ///< handed out, the answer is awaited …
   bool is_media_stale = false;                     ///< … and nobody wants it any more
   int beeps = 0;
+  bool is_zero_confirmed = false;  ///< under the present lease (DEC-27)
   PanelClock clock;
   bool is_ram_faulty = false;     ///< injected: the memory test finds it (ERR-034)
   Now now;                        ///< of the newest call

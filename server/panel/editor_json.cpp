@@ -157,7 +157,9 @@ EditorMode editor_of(const Json& json, const ControlState& state) {
   const auto overview = integer_in(json, "overview", -1, kMostOverview, -1);
   if (overview >= 0 && static_cast<std::size_t>(overview) < state.memory.programs().size())
     mode.overview = static_cast<std::size_t>(overview);
-  mode.is_open = mode.program.value && flag_in(json, "open") && !language::is_reserved_for_cycles(mode.number());
+  const bool can_be_open =
+      !language::is_reserved_for_cycles(mode.number()) || program_in(state, mode.number()) != nullptr;
+  mode.is_open = mode.program.value && flag_in(json, "open") && can_be_open;
   const Json* line = member_of(json, "line");
   if (mode.is_open && line != nullptr)
     mode.line = line_of(*line, mode.number() == language::kToolTable, mode.plane, state.settings.vocabulary);

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "program/rom_programs.hpp"
+
 namespace cnclab::panel {
 
 namespace {
@@ -29,12 +31,12 @@ void list_last_up_to(EditorMode& mode, const language::Program& program, int num
 void open_program(EditorMode& mode, ControlState& state, bool from_first) {
   const std::uint16_t number = mode.number();
   mode.program.typed = 0;  // whatever comes of it, the next digit begins another number
-  if (language::is_reserved_for_cycles(number))
-    return state.complain(language::Error{.code = ErrorCode::reserved_for_cycles, .program = number});
+  const language::Program* program = program_in(state, number);
+  if (language::is_reserved_for_cycles(number) && program == nullptr)  // P9987 to P9989 are empty (DEC-64)
+    return state.complain(language::Error{.code = ErrorCode::program_missing, .detail = program_word(number)});
   state.editor_program = number;
   mode.is_open = true;
   mode.list_from.reset();
-  const language::Program* program = state.memory.find(number);
   if (program == nullptr) return offer(mode, 1);
   const language::Block& last = program->blocks.back();
   if (last.function.kind == language::Function::Kind::g) mode.proposed_g = last.function.code;
@@ -67,7 +69,7 @@ void press_program(EditorMode& mode, ControlState& state, Effect effect, int fig
 
 /// ↓ at N: the blocks from the typed number on, then the next ten each time (KEY-068).
 void page_blocks(EditorMode& mode, ControlState& state) {
-  const language::Program* program = state.memory.find(mode.number());
+  const language::Program* program = program_in(state, mode.number());
   if (program == nullptr) return void(state.hint = text(Text::said_no_more_blocks, state.tongue()));
   const auto at_or_after = [&](int number) {
     return std::ranges::lower_bound(program->blocks, number, {},
@@ -86,7 +88,7 @@ void page_blocks(EditorMode& mode, ControlState& state) {
 /// SATZ SUCHEN: block N into the entry line (EDIT-017).
 void load_block(EditorMode& mode, ControlState& state) {
   const auto number = static_cast<std::uint16_t>(mode.line.number());
-  const language::Program* program = state.memory.find(mode.number());
+  const language::Program* program = program_in(state, mode.number());
   const auto index = program == nullptr ? std::nullopt : program->find(number);
   if (!index) {
     state.complain(
@@ -153,6 +155,13 @@ void press_line(EditorMode& mode, ControlState& state, Effect effect, int figure
 }
 
 }  // namespace
+
+const language::Program* program_in(const ControlState& state, std::uint16_t number) {
+  if (!language::is_reserved_for_cycles(number)) return state.memory.find(number);
+  const language::Vocabulary& known = state.settings.vocabulary;
+  const bool has_cycles = known.model == language::Model::cnc3300 && known.planned_functions;
+  return has_cycles ? program::rom_program(number) : nullptr;
+}
 
 EditorMode open_editor(const ControlState& state) {
   EditorMode mode;

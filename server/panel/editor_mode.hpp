@@ -50,6 +50,10 @@ void erase_loaded_block(EditorMode& mode, ControlState& state);
 /// Is the number in the line one that a block can have? Complains where not.
 [[nodiscard]] bool check_number(EditorMode& mode, ControlState& state);
 
+/// The program as it can be looked at: from the memory, or one of the cycles' from the ROM, which nobody can change
+/// (DEC-06); nullptr where there is none.
+[[nodiscard]] const language::Program* program_in(const ControlState& state, std::uint16_t number);
+
 /// The plane that holds for a block: the last G17, G18, G19 before it in its program, else `fallback` (D-54).
 [[nodiscard]] language::Plane plane_before(const language::Program* program, int block, language::Plane fallback);
 

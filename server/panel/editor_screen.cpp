@@ -26,7 +26,7 @@ void draw_overview(const EditorMode& mode, const ControlState& state, Monitor& m
 
 /// The listed blocks; returns the row below them.
 int draw_list(const EditorMode& mode, const ControlState& state, Monitor& monitor) {
-  const language::Program* program = state.memory.find(mode.number());
+  const language::Program* program = program_in(state, mode.number());
   if (program == nullptr || !mode.list_from) return kListRow;
   auto block = std::ranges::lower_bound(program->blocks, *mode.list_from, {}, &language::Block::number);
   int row = kListRow;
@@ -78,7 +78,8 @@ std::string sentence_of(const EditorMode& mode, const ControlState& state) {
       if (!mode.program.value) return std::string(text(Text::wait_editor_empty, tongue));
       return text(Text::wait_editor_program, tongue, {program_text(*mode.program.value)});
     case Place::editor_number:
-      return std::string(text(Text::wait_number, tongue));
+      return std::string(
+          text(language::is_reserved_for_cycles(mode.number()) ? Text::wait_rom_number : Text::wait_number, tongue));
     case Place::editor_function:
       return std::string(text(Text::wait_function, tongue));
     default: {

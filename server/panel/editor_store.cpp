@@ -44,6 +44,13 @@ int bytes_needed(const language::Program* program, const language::Block& block,
   return language::cost_bytes(block) - (old ? language::cost_bytes(program->blocks[*old]) : 0);
 }
 
+/// The programs of the cycles are for reading only (DEC-06): true after the complaint.
+bool complains_of_rom(const EditorMode& mode, ControlState& state) {
+  if (!language::is_reserved_for_cycles(mode.number())) return false;
+  state.complain(ErrorCode::reserved_for_cycles, std::string(text(Text::said_rom, state.tongue())));
+  return true;
+}
+
 /// A word was begun as a parameter and has no number: true after the complaint.
 bool complains_of_half_word(EditorMode& mode, ControlState& state) {
   const WordEntry* half = mode.line.half_word();
@@ -88,7 +95,7 @@ bool show_words(EditorMode& mode, ControlState& state) {
     mode.line.go_to_function();
     return false;
   }
-  const language::Program* program = state.memory.find(mode.number());
+  const language::Program* program = program_in(state, mode.number());
   // A loaded block keeps the plane of its own words as long as its function is not changed.
   if (!mode.line.words_fit_function()) mode.plane = plane_before(program, mode.line.number(), state.plane());
   const language::BlockForm* form = language::find_form(*function, mode.plane, state.settings.vocabulary);
@@ -105,13 +112,14 @@ bool show_words(EditorMode& mode, ControlState& state) {
 }
 
 void store_line(EditorMode& mode, ControlState& state) {
+  if (complains_of_rom(mode, state)) return;
   if (!is_ready_to_check(mode, state)) return;
   const language::Block block = mode.line.block();
   if (const auto fault = fault_of(mode, state, block)) {
     mode.line.mark(fault->word);
     return state.complain(*fault);
   }
-  const language::Program* program = state.memory.find(mode.number());
+  const language::Program* program = program_in(state, mode.number());
   const bool inserts = is_insertion(mode, program, block.number);
   if (inserts && program->blocks.back().number == language::kLastBlock) {
     mode.line.go_to_number();
@@ -126,8 +134,9 @@ void store_line(EditorMode& mode, ControlState& state) {
 }
 
 void erase_loaded_block(EditorMode& mode, ControlState& state) {
+  if (complains_of_rom(mode, state)) return;
   const auto number = static_cast<std::uint16_t>(mode.line.number());
-  const language::Program* program = state.memory.find(mode.number());
+  const language::Program* program = program_in(state, mode.number());
   if (!mode.line.is_loaded() || program == nullptr || !program->find(number)) {
     state.hint = text(Text::said_not_loaded, state.tongue());
     return;

@@ -96,6 +96,8 @@ void execute_line(HandInputMode& mode, ControlState& state) {
                            .compensation_mm = state.compensation_mm},
                  .data = state.effective_data(),
                  .vocabulary = state.settings.vocabulary,
+                 .io_cards = state.settings.io_cards,
+                 .rests_accumulate = state.settings.rests_accumulate,
                  .long_work = state.settings.long_work,
                  .is_single_function = true};
   const auto begun = state.run.begin(state.connection, std::move(order));

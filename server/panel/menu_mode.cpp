@@ -14,7 +14,8 @@ void draw(const MenuMode&, const ControlState& state, Monitor& monitor) {
       ++row;
       continue;
     }
-    monitor.mark(row, 0);
+    const bool is_lit = state.settings.remote && entry.effect == Effect::open_external_data;
+    monitor.put(row, 0, U'□', is_lit ? Attribute::inverse : Attribute::normal);
     monitor.write(row, kKeyColumn, label_of(entry.first));
     monitor.write(row, kNameColumn, text(entry.help, state.tongue()));
     ++row;

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/path_math.hpp"
+#include "geometry/step_grid.hpp"
 
 namespace cnclab::panel {
 
@@ -22,6 +23,8 @@ constexpr std::uint64_t kAnswerTicks = 2;
 
 program::Settings settings_of(const RunOrder& order, bool is_lab_machine) {
   program::Settings settings = interpreter_settings(order.data, order.vocabulary);
+  settings.io_cards = order.io_cards;
+  settings.rests_accumulate = order.rests_accumulate;
   settings.outputs_at_end_off = is_lab_machine && !order.is_single_function;
   return settings;
 }
@@ -63,12 +66,13 @@ std::expected<void, language::Error> Run::begin(const Connection& connection, Ru
   if (!source) return std::unexpected(source.error());
   *this = Run{};
   connection_ = connection;
-  order_ = std::move(order);
+  order_ = std::make_shared<const RunOrder>(std::move(order));
   source_ = std::move(*source);
-  first_parameters_ = parameters_ = std::make_shared<const program::Parameters>(order_.start.parameters);
+  steps_per_mm_ = settings.steps_per_mm;
+  first_parameters_ = parameters_ = std::make_shared<const program::Parameters>(order_->start.parameters);
   look();
-  if (!Preflight::is_needed(order_.programs, order_.start)) return launch();
-  preflight_.emplace(order_.long_work, order_.programs, settings, order_.start);
+  if (!Preflight::is_needed(order_->programs, order_->start)) return launch();
+  preflight_.emplace(order_->long_work, order_->programs, settings, order_->start);
   const std::optional<Preflight::Result> result = preflight_->result();
   return result ? conclude_check(*result) : std::expected<void, language::Error>{};
 }
@@ -82,16 +86,16 @@ std::expected<void, language::Error> Run::conclude_check(const Preflight::Result
 }
 
 std::expected<void, language::Error> Run::launch() {
-  if (connection_.is_lab_machine && seen_.is_referenced) guard_.emplace(seen_, order_.data, order_.start.position);
+  if (connection_.is_lab_machine && seen_.is_referenced) guard_.emplace(seen_, order_->data, order_->start.position);
   static_cast<void>(prepare_block());
   if (failure_) {
     auto error = std::unexpected(std::move(*failure_));
     *this = Run{};
     return error;
   }
-  const motion::Limits limits = machine::motion_limits(order_.data);
+  const motion::Limits limits = machine::motion_limits(order_->data);
   look_ahead_s_ = kLeastLookAhead_s + limits.f_max_mm_per_s / limits.stop_deceleration_mm_per_s2;
-  motion::Planner* planner = connection_.channel->begin_run(connection_.epoch, order_.start.position);
+  motion::Planner* planner = connection_.channel->begin_run(connection_.epoch, order_->start.position);
   if (planner != nullptr) {
     run_ = planner->run();
     feed();
@@ -113,6 +117,7 @@ bool Run::prepare_block() {
   items_.clear();
   next_item_ = 0;
   auto executed = source_->step(items_);
+  geometry::run_in_step_grid(items_, steps_per_mm_);
   guard_travel();
   if (executed) guard_contours(*executed);
   if (!executed && !failure_) failure_ = executed.error();
@@ -148,12 +153,13 @@ void Run::guard_contours(const program::ExecutedBlock& executed) {
 /// A block beyond the lab machine's travel does not move at all (AUTH-011): its items are dropped, those before stay.
 void Run::guard_travel() {
   if (!guard_) return;
-  const auto fault =
-      std::ranges::find_if(items_, [this](const auto& item) { return guard_->fault_of(item).has_value(); });
-  if (fault == items_.end()) return;
-  failure_ = guard_->fault_of(*fault);
-  const std::uint64_t sequence = fault->sequence;
-  std::erase_if(items_, [sequence](const auto& item) { return item.sequence >= sequence; });
+  for (const geometry::PathItem& item : items_) {
+    failure_ = guard_->fault_of(item);
+    if (!failure_) continue;
+    const std::uint64_t sequence = item.sequence;
+    std::erase_if(items_, [sequence](const auto& other) { return other.sequence >= sequence; });
+    return;
+  }
 }
 
 /// Input 1 for G21 and G23 as it was two blocks before (D-56). A block that cannot begin because its own end depends on
@@ -256,8 +262,8 @@ std::optional<RunEnd> Run::poll_check() {
   if (is_stopped_in_check_) return finish(RunEnd::Kind::broken);
   const std::optional<Preflight::Result> result = preflight_->result();
   if (!result) return std::nullopt;
-  const program::ModalState modal = order_.start.modal;
-  const program::Parameters parameters = order_.start.parameters;
+  const program::ModalState modal = order_->start.modal;
+  const program::Parameters parameters = order_->start.parameters;
   const auto begun = conclude_check(*result);
   if (begun) return std::nullopt;
   return RunEnd{RunEnd::Kind::failed, StopCause::none, begun.error(), modal, parameters, {}};
@@ -302,9 +308,14 @@ bool Run::shows_blocks() const {
   return current == nullptr || current->block.is_shown;
 }
 
+bool Run::ignores_single_block() const {
+  const Record* current = record(seen_.sequence);
+  return current != nullptr && current->block.depth > 0 && current->block.modal.subprogram_blocks_hidden;
+}
+
 program::ModalState Run::modal() const {
   const Record* done = record(seen_.finished_sequence);
-  program::ModalState modal = done == nullptr ? order_.start.modal : done->block.modal;
+  program::ModalState modal = done == nullptr ? order_->start.modal : done->block.modal;
   const Record* begun = record(seen_.sequence);
   if (begun == nullptr || seen_.sequence <= seen_.finished_sequence) return modal;
   // F, S, T and the M functions of the block start are in force as soon as the block has begun (FST-009, FST-011).

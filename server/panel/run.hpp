@@ -33,7 +33,9 @@ struct RunOrder {
   program::Start start;  ///< its position is the machine's Istwert
   machine::MachineData data;
   language::Vocabulary vocabulary;
-  LongWork long_work = do_at_once;  ///< who checks the contours
+  std::array<bool, 3> io_cards{true, true, true};  ///< which are fitted (D-124)
+  bool rests_accumulate = false;                   ///< as the original (D-115)
+  LongWork long_work = do_at_once;                 ///< who checks the contours
   bool is_single_function = false;  ///< HANDEINGABE: its end is no end of a program, spindle and coolant stay (DEC-38)
 };
 
@@ -82,9 +84,12 @@ class Run {
   [[nodiscard]] bool is_present() const { return source_.has_value(); }
   /// The block on top of the window: the one being done, or the next where it waits for START.
   [[nodiscard]] geometry::SourceBlock shown_block() const;
-  [[nodiscard]] bool shows_blocks() const;  ///< false under M21, and in subprograms under M22
+  [[nodiscard]] bool shows_blocks() const;          ///< false under M21, and in subprograms under M22
+  [[nodiscard]] bool ignores_single_block() const;  ///< in subprograms under M22 (KEY-046)
   [[nodiscard]] program::ModalState modal() const;
-  [[nodiscard]] const program::ProgramSet& programs() const { return order_.programs; }
+  [[nodiscard]] const program::ProgramSet& programs() const { return order_->programs; }
+  /// What it was begun with; nullptr where none is present. Another run has another one.
+  [[nodiscard]] const std::shared_ptr<const RunOrder>& order() const { return order_; }
   [[nodiscard]] bool sounds_alarm() const;  ///< M01 waits for START
 
  private:
@@ -122,11 +127,12 @@ class Run {
   std::uint64_t answer_tick_ = 0;     ///< from this tick on the snapshot knows of the last command
   std::uint64_t refused_before_ = 0;  ///< commands that had not been taken when START was pressed
 
-  RunOrder order_;
+  std::shared_ptr<const RunOrder> order_;
   std::optional<Preflight> preflight_;  ///< while contours are being checked; nothing has been started then
   std::size_t sound_contours_ = 0;      ///< so many contours, in their order, were found right
   bool is_stopped_in_check_ = false;
   std::optional<program::PathSource> source_;
+  std::array<double, 4> steps_per_mm_{};
   std::optional<TravelGuard> guard_;
   std::vector<geometry::PathItem> items_;  ///< the newest finished ones, from `next_item_` still to be appended
   std::size_t next_item_ = 0;

@@ -134,21 +134,26 @@ void draw_side(Canvas& canvas, const SideView& side, const Lamps& lamps, languag
 }
 
 void draw_bottom(Canvas& canvas, const std::string& sentence, Place place, const Settings& settings) {
-  constexpr int kGap = 3;
+  constexpr int kGap = 3, kFirstColumn = 1;
   const auto [first, rest] = broken_at(sentence, Screen::kColumns);
   canvas.write(kSentenceRow, 0, first);
   if (!rest.empty()) canvas.write(kSentenceRow + 1, 0, rest);
-  int row = kSentenceRow + (rest.empty() ? 1 : 2), column = 1;
+  const std::string_view all_keys = text(Text::all_keys, settings.tongue);
+  canvas.write(kAllKeysRow, kFirstColumn, all_keys);
+  int row = kSentenceRow + (rest.empty() ? 1 : 2), column = kFirstColumn;
   for (const KeyRow& entry : key_table()) {
     if (entry.place != place || !has_row(entry, settings.vocabulary)) continue;
     const std::string keys = keys_text(entry, settings.tongue);
     const int width = columns_of(keys);
-    if (column > 1 && column + width > Screen::kColumns) ++row, column = 1;
-    if (row == kAllKeysRow) break;
+    if (column > kFirstColumn && column + width > Screen::kColumns) {
+      ++row;
+      // Keys that do not fit above stand beside the last row's own.
+      column = row == kAllKeysRow ? kFirstColumn + columns_of(all_keys) + kGap : kFirstColumn;
+    }
+    if (row > kAllKeysRow) break;
     canvas.write(row, column, keys);
     column += width + kGap;
   }
-  canvas.write(kAllKeysRow, 1, text(Text::all_keys, settings.tongue));
 }
 
 }  // namespace cnclab::panel

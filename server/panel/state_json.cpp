@@ -77,6 +77,17 @@ program::Parameters parameters_of(const Json& json) {
   return parameters;
 }
 
+/// Three lengths in mm; nothing where the text has no such row of three.
+std::optional<std::array<double, 3>> lengths_in(const Json& json, const char* name) {
+  const Json* row = member_of(json, name);
+  std::array<double, 3> mm{};
+  if (row == nullptr || !row->is_array() || row->size() != mm.size()) return std::nullopt;
+  for (std::size_t axis = 0; axis < mm.size(); ++axis)
+    if (const Json& value = (*row)[axis]; value.is_number())
+      mm[axis] = std::clamp(value.get<double>(), -kLargestIstwert_mm, kLargestIstwert_mm);
+  return mm;
+}
+
 Json automat_json(const AutomatMode& mode) {
   return {{"phase", static_cast<int>(mode.phase)},
           {"program", field_json(mode.program)},
@@ -139,6 +150,7 @@ std::string write_state(const ActiveMode& mode, const ControlState& state) {
             {"istwert", {machine.istwert_mm[0], machine.istwert_mm[1], machine.istwert_mm[2]}},
             {"editor_program", state.editor_program},
             {"automat_program", state.automat_program},
+            {"compensation", {state.compensation_mm[0], state.compensation_mm[1], state.compensation_mm[2]}},
             {"clock_offset", state.clock.offset_s()},
             {"taught", taught_json(state.taught)}};
   if (const auto* erase = std::get_if<EraseMemoryMode>(&mode))
@@ -162,13 +174,8 @@ ReadState read_state(const std::string& text, ControlState& state) {
   state.automat_program = static_cast<std::uint16_t>(integer_in(json, "automat_program", 0, language::kLastProgram, 1));
   state.clock.set_offset_s(integer_in(json, "clock_offset", -kLargestOffset_s, kLargestOffset_s, 0));
   if (const Json* taught = member_of(json, "taught")) state.taught = taught_of(*taught);
-  if (const Json* istwert = member_of(json, "istwert");
-      istwert != nullptr && istwert->is_array() && istwert->size() == 3) {
-    read.istwert_mm.emplace();
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      if (const Json& value = (*istwert)[axis]; value.is_number())
-        (*read.istwert_mm)[axis] = std::clamp(value.get<double>(), -kLargestIstwert_mm, kLargestIstwert_mm);
-  }
+  read.istwert_mm = lengths_in(json, "istwert");
+  state.compensation_mm = lengths_in(json, "compensation").value_or(state.compensation_mm);
   if (const auto mode = mode_named(json)) read.mode = active_mode_of(*mode, json, state);
   return read;
 }

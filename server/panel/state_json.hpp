@@ -3,8 +3,8 @@
 //   { "v": 1, "mode": "EINGABEMODUS", "override": 80, "modal": {…}, "parameters": {"4": 25000000}, "istwert": [0,0,0],
 //     "editor_program": 1, "automat_program": 1, "taught": {…}, "editor": {…} }
 //
-// Lengths are mm in "istwert", everything else is in the units of the structs. Reading takes any text: what is missing,
-// of another type or out of range keeps its default.
+// Lengths are mm in "istwert" and "compensation", everything else is in the units of the structs. Reading takes any
+// text: what is missing, of another type or out of range keeps its default.
 #pragma once
 
 #include <array>

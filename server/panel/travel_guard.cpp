@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/path_math.hpp"
+#include "machine/manual_drives.hpp"
 
 namespace cnclab::panel {
 
@@ -44,15 +45,39 @@ std::string millimetres(double value) {
 TravelGuard::TravelGuard(const machine::Snapshot& snapshot, const machine::MachineData& data, const Point& start) {
   for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
     const int number = static_cast<int>(axis);
-    const double half_travel = static_cast<double>(data.get(kFirstTravel + number)) / 2000.0;
-    const double stands_at =
-        static_cast<double>(snapshot.steps[axis]) / static_cast<double>(data.get(kFirstSteps + number));
-    low_[axis] = start.*kAxes[axis] - stands_at - half_travel;
-    high_[axis] = start.*kAxes[axis] - stands_at + half_travel;
+    half_travel_[axis] = static_cast<double>(data.get(kFirstTravel + number)) / 2000.0;
+    place(axis, start.*kAxes[axis],
+          static_cast<double>(snapshot.steps[axis]) / static_cast<double>(data.get(kFirstSteps + number)));
   }
 }
 
-std::optional<language::Error> TravelGuard::fault_of(const geometry::PathItem& item) const {
+/// What the path calls `path_mm` is `machine_mm` from the middle of the travel.
+void TravelGuard::place(std::size_t axis, double path_mm, double machine_mm) {
+  low_[axis] = path_mm - machine_mm - half_travel_[axis];
+  high_[axis] = path_mm - machine_mm + half_travel_[axis];
+}
+
+/// The axes come to stand 1 mm before their switches (MOD-012); G-693: 0 drives in positive direction.
+void TravelGuard::note_reference(const geometry::Reference& reference) {
+  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+    if (!reference.axes[axis]) continue;
+    const double place = half_travel_[axis] - machine::SwitchDrive::kBackOff_mm;
+    referenced_at_[axis] = reference.value[axis] < 0 ? -place : place;
+  }
+}
+
+/// The path goes on from where the reference run has left the axes.
+void TravelGuard::settle_references(const Point& from) {
+  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+    if (referenced_at_[axis]) place(axis, from.*kAxes[axis], *referenced_at_[axis]);
+    referenced_at_[axis].reset();
+  }
+}
+
+std::optional<language::Error> TravelGuard::fault_of(const geometry::PathItem& item) {
+  if (const auto* reference = std::get_if<geometry::Reference>(&item.what)) note_reference(*reference);
+  if (const auto* line = std::get_if<geometry::Line>(&item.what)) settle_references(line->from);
+  if (const auto* arc = std::get_if<geometry::Arc>(&item.what)) settle_references(arc->from);
   std::vector<Point> points;
   if (const auto* line = std::get_if<geometry::Line>(&item.what)) points = {line->from, line->to};
   if (const auto* arc = std::get_if<geometry::Arc>(&item.what)) points = extremes_of(*arc);

@@ -20,11 +20,18 @@ class TravelGuard {
   /// The machine's coordinates count from the middle of its travel (DEC-23).
   TravelGuard(const machine::Snapshot& snapshot, const machine::MachineData& data, const geometry::Point& start);
 
-  /// The error of a line or arc that leaves the travel anywhere on its way; nothing for everything else.
-  [[nodiscard]] std::optional<language::Error> fault_of(const geometry::PathItem& item) const;
+  /// Takes the items in the order of the path: a reference run (G69) tells where its axes stand afterwards.
+  /// returns  the error of a line or arc that leaves the travel anywhere on its way; nothing for everything else
+  [[nodiscard]] std::optional<language::Error> fault_of(const geometry::PathItem& item);
 
  private:
-  std::array<double, 3> low_{}, high_{};  ///< mm, path coordinates X Y Z
+  void note_reference(const geometry::Reference& reference);
+  void settle_references(const geometry::Point& from);
+  void place(std::size_t axis, double path_mm, double machine_mm);
+
+  std::array<double, 3> half_travel_{};                   ///< mm
+  std::array<double, 3> low_{}, high_{};                  ///< mm, path coordinates X Y Z
+  std::array<std::optional<double>, 3> referenced_at_{};  ///< machine coordinate; what the path calls it is still open
 };
 
 }  // namespace cnclab::panel

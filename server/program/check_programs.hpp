@@ -13,10 +13,11 @@ namespace cnclab::program {
 /// have, wrong values of cycles, jumps and calls that lead nowhere. In the order of programs and blocks.
 [[nodiscard]] std::vector<language::Error> check_blocks(const ProgramSet& programs, const Settings& settings);
 
-/// The faults that show only in execution (F missing, wrong plane, circle, nesting, a call of itself), found by
-/// executing from `start` without a machine; one for each block, in the order in which they are met. Each G21 and G23
-/// is tried with Input 1 inactive and active. A faulty block is passed over, so that the faults behind it are found
-/// too. In all at most `most_blocks` are executed, since a program may loop.
+/// The faults that show only in execution (F missing, wrong plane, circle, nesting, a call of itself, a contour that
+/// the tool cannot follow or in which it cuts into another element, DEC-09), found by executing from `start` without a
+/// machine; one for each block, in the order in which they are met. Each G21 and G23 is tried with Input 1 inactive and
+/// active. A faulty block is passed over, so that the faults behind it are found too. In all at most `most_blocks` are
+/// executed, since a program may loop.
 [[nodiscard]] std::vector<language::Error> dry_run(const ProgramSet& programs, const Settings& settings,
                                                    const Start& start, std::uint64_t most_blocks);
 

@@ -39,6 +39,7 @@ struct Settings {
   std::array<double, 4> steps_per_mm{200, 200, 200, 200};
   language::Vocabulary vocabulary{};
   std::array<bool, 3> io_cards{true, true, true};  ///< which of the I/O cards 1, 2, 3 are fitted (D-124)
+  bool rests_accumulate = false;    ///< incremental ways as whole steps, block by block, as the original (D-115)
   bool outputs_at_end_off = false;  ///< lab machine: the end of a program switches spindle and coolant off (DEC-38)
 };
 

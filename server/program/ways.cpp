@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "program/compensation.hpp"
@@ -20,6 +21,12 @@ constexpr std::array kAxisWords{Address::X, Address::Y, Address::Z};
 /// Sums beyond 100 km leave the exact range of a path coordinate; no machine is that long.
 constexpr std::int64_t kFarthest_nm = 100'000'000'000'000;
 
+/// The original moved as many whole steps as fit an incremental way best, so that rests add up (6.11, D-115, DEC-05).
+std::int64_t in_whole_steps(std::int64_t way_nm, double steps_per_mm) {
+  const auto steps = std::llround(static_cast<double>(way_nm) / kNanometresPerMm * steps_per_mm);
+  return std::llround(static_cast<double>(steps) / steps_per_mm * kNanometresPerMm);
+}
+
 /// Takes a word of one axis into the target. In a ROM program an absolute word counts from where the program would be
 /// without scale, so that its way is scaled and not its place: #55..#57 always lead back (DEC-51).
 void take_word(const BlockRun& run, std::size_t axis, std::int64_t word_um, Target& target) {
@@ -31,7 +38,9 @@ void take_word(const BlockRun& run, std::size_t axis, std::int64_t word_um, Targ
     target.programmed_nm[axis] += way_um * modal.scale[axis];
     return;
   }
-  const std::int64_t scaled_nm = word_um * modal.scale[axis];
+  std::int64_t scaled_nm = word_um * modal.scale[axis];
+  if (run.settings.rests_accumulate && !is_absolute)
+    scaled_nm = in_whole_steps(scaled_nm, run.settings.steps_per_mm[axis]);
   target.programmed_nm[axis] = is_absolute ? scaled_nm : target.programmed_nm[axis] + scaled_nm;
 }
 

@@ -8,6 +8,7 @@
 #include <ostream>
 
 #include "geometry/path_math.hpp"
+#include "geometry/step_grid.hpp"
 #include "motion/planner.hpp"
 
 namespace cnclab::tool {
@@ -133,6 +134,7 @@ bool Simulation::take_block(program::PathSource& source) {
     return false;
   }
   const auto executed = source.step(pending_);
+  geometry::run_in_step_grid(pending_, job_.settings.steps_per_mm);
   ++fed_blocks_;
   if (executed) return true;
   summary_.error = executed.error();

@@ -81,6 +81,28 @@ TEST(Migrations, AreNumberedFromOneWithoutGaps) {
   EXPECT_GT(expected, 1);
 }
 
+TEST(Migrations, STO_008_TheFirstReleasesDatabaseOpensAndKeepsWhatItHolds) {
+  const LabFolder folder;
+  {
+    SQLite::Database first(folder.file().string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    migrate(first, folder.file(), migrations().first(1));
+    first.exec("INSERT INTO person (id, name, role, password_hash, created_ms) VALUES (1, 'anna', 'student', 'h', 5)");
+    first.exec("INSERT INTO program VALUES (1, 1, 1, 1, 5)");
+    first.exec("INSERT INTO block VALUES (1, 1, 1, 'N001G00X+1000', 77)");
+    first.exec(
+        "INSERT INTO run (person_id, station, machine, started_ms, program, block, setup, seconds, ended) "
+        "VALUES (1, 3, 'lab', 5, 1, 1, x'7B7D', 2.5, 'program_end')");
+  }
+  auto database = opened(folder.file());
+  const PersonId anna = database.person("anna")->id;
+  EXPECT_EQ(database.programs(anna).at(0).blocks.at(0).check_code, 77U);
+  const auto runs = database.runs(anna);
+  ASSERT_EQ(runs.size(), 1U);
+  EXPECT_EQ(runs[0].ended, "program_end");
+  EXPECT_EQ(runs[0].digest, "") << "recorded before there were digests: not replayable, but kept";
+  EXPECT_TRUE(std::filesystem::exists(folder.file().string() + ".version-1"));
+}
+
 constexpr std::array<Migration, 3> kThreeSteps{
     {{1, "0001", "CREATE TABLE a (x INTEGER)"},
      {2, "0002", "ALTER TABLE a ADD COLUMN y INTEGER DEFAULT 5"},

@@ -78,6 +78,32 @@ TEST(Journal, IsAppendOnly) {  // STO-006
   EXPECT_THROW(raw.exec("UPDATE journal SET person = 'berta'"), SQLite::Exception);
 }
 
+TEST(Runs, EventsComeBackInTheirOrderOverSeveralBatches) {  // STO-007
+  auto database = opened(":memory:");
+  const auto run = database.begin_run({.person = add_student(database, "anna"), .machine = "lab", .setup = "{}"});
+  const std::vector<RunEvent> first{{0, "override", 0.5}, {0, "go", 1}}, second{{0, "stop", 2}, {7, "go", 1}};
+  database.add_run_events(run, first);
+  database.add_run_events(run, second);
+  EXPECT_THAT(database.run_events(run), testing::ElementsAre(first[0], first[1], second[0], second[1]));
+}
+
+TEST(Runs, OldOnesAndAllButTheNewestOfEachPersonAreForgotten) {  // STO-007: bounded
+  auto database = opened(":memory:");
+  const PersonId anna = add_student(database, "anna"), otto = add_student(database, "otto");
+  for (const std::int64_t started_ms : {10, 20, 30, 40})
+    for (const PersonId person : {anna, otto})
+      database.begin_run({.person = person, .machine = "training", .started_ms = started_ms, .setup = "{}"});
+  database.forget_old_runs(20, 2);
+  for (const PersonId person : {anna, otto}) {
+    const auto runs = database.runs(person);
+    ASSERT_EQ(runs.size(), 2U);
+    EXPECT_EQ(runs[0].started_ms, 40);
+    EXPECT_EQ(runs[1].started_ms, 30);
+  }
+  database.forget_old_runs(35, 9);
+  EXPECT_EQ(database.runs(anna).size(), 1U);
+}
+
 TEST(Runs, NewestFirstWithTheirTraceJoinedByTick) {  // STO-007
   auto database = opened(":memory:");
   const PersonId anna = add_student(database, "anna");
@@ -92,7 +118,7 @@ TEST(Runs, NewestFirstWithTheirTraceJoinedByTick) {  // STO-007
   const auto second = database.begin_run({.person = anna, .station = 3, .machine = "training", .setup = "{}"});
   database.add_trace(first, 1000, std::string("B\0", 2));
   database.add_trace(first, 0, "A");
-  database.end_run(first, 12.5, "program_end");
+  database.end_run(first, {.seconds = 12.5, .ended = "program_end", .ticks = 12500, .digest = "00ff"});
   const auto runs = database.runs(anna);
   ASSERT_EQ(runs.size(), 2U);
   EXPECT_EQ(runs[0].id, second);
@@ -106,6 +132,11 @@ TEST(Runs, NewestFirstWithTheirTraceJoinedByTick) {  // STO-007
   EXPECT_EQ(runs[1].setup, R"({"f":1})");
   EXPECT_DOUBLE_EQ(runs[1].seconds.value(), 12.5);
   EXPECT_EQ(runs[1].ended, "program_end");
+  EXPECT_EQ(runs[1].ticks, 12500);
+  EXPECT_EQ(runs[1].digest, "00ff");
+  EXPECT_EQ(database.run(first)->digest, "00ff");
+  EXPECT_EQ(database.run(first)->person, anna);
+  EXPECT_FALSE(database.run(999));
   EXPECT_EQ(database.trace(first), std::string("AB\0", 3));
   EXPECT_THAT(database.runs(add_student(database, "berta")), IsEmpty());
 }

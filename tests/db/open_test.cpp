@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "db/migrate.hpp"
 #include "lab_folder.hpp"
 
 namespace cnclab::db {
@@ -40,7 +41,7 @@ TEST(Open, ANewFileIsPrivateAndMarkedAsOurs) {
   }
   SQLite::Database raw(folder.file().string());
   EXPECT_EQ(raw.execAndGet("PRAGMA application_id").getInt(), 0x434E434C);
-  EXPECT_EQ(raw.execAndGet("PRAGMA user_version").getInt(), 1);
+  EXPECT_EQ(raw.execAndGet("PRAGMA user_version").getInt(), migrations().back().number);
   EXPECT_EQ(raw.execAndGet("PRAGMA journal_mode").getString(), "wal");
 }
 
@@ -106,7 +107,7 @@ TEST(Open, ANewerVersionThatStillLiesInTheWalIsSeenAndTheWalStays) {  // STO-008
   make_lab(folder.file());
   {
     SQLite::Database newer(folder.file().string(), SQLite::OPEN_READWRITE);
-    newer.exec("PRAGMA user_version = 2");
+    newer.exec("PRAGMA user_version = " + std::to_string(migrations().back().number + 1));
     std::filesystem::copy_file(folder.file(), crashed.file());
     std::filesystem::copy_file(folder.file().string() + "-wal", crashed.file().string() + "-wal");
   }

@@ -255,6 +255,63 @@ TEST(HandInput, D_117_LimitSwitchFreesAndZeroesTheAxis) {
   EXPECT_EQ(bench.monitor(15), "") << "until the next key";
 }
 
+TEST(HandInput, DEC_53_CyclesRunAsOneFunction) {
+  Bench bench;
+  bench.keys("HANDEINGABE");
+  function(bench, "11");
+  bench.keys("ENTER");
+  bench.type("1000");
+  bench.keys("START");
+  ASSERT_TRUE(bench.run_to_rest());
+  function(bench, "81");
+  bench.keys("ENTER");
+  EXPECT_EQ(bench.monitor(5), "G81 □.....,... Y.....,... Z.....,... Q.....,... V... H....");
+  bench.keys("ENTER ENTER");
+  bench.type("-3");
+  bench.keys("ENTER ENTER");
+  bench.type("5");
+  bench.keys("ENTER");
+  bench.type("500");
+  bench.keys("START");
+  double deepest = 0;
+  ASSERT_TRUE(bench.run_until([&] {
+    deepest = std::min(deepest, bench.istwert(2));
+    return !bench.control.is_running();
+  })) << bench.picture();
+  EXPECT_TRUE(bench.monitor(15).empty()) << bench.picture();
+  EXPECT_NEAR(deepest, -8, 0.1) << "V above the surface, Z below it";
+  EXPECT_EQ(bench.istwert(2), 0) << "back at the point of call";
+}
+
+TEST(HandInput, D_75_CompensationIsCarriedFromBlockToBlock) {
+  Bench bench({.tape = "P0000T001R+5000L+2000%"});
+  bench.keys("HANDEINGABE");
+  function(bench, "11");
+  bench.keys("ENTER");
+  bench.type("1000");
+  bench.keys("ENTER ENTER 0 1 START");
+  ASSERT_TRUE(bench.run_to_rest());
+  execute(bench, "41");
+  function(bench, "01");
+  bench.keys("ENTER");
+  bench.type("20");
+  bench.keys("START");
+  ASSERT_TRUE(bench.run_to_rest()) << bench.picture();
+  EXPECT_EQ(bench.istwert(0), 20);
+  EXPECT_EQ(bench.istwert(1), 5) << "left of the way +X: the normal offset of its own end";
+  bench.keys("START");
+  ASSERT_TRUE(bench.run_to_rest());
+  EXPECT_EQ(bench.istwert(0), 40) << "the second way begins where the first has ended, beside it";
+  EXPECT_EQ(bench.istwert(1), 5);
+  Bench after({.tape = "P0000T001R+5000L+2000%"});
+  after.control.restore_state(bench.control.save_state());
+  after.run_for(20);
+  after.keys("START");
+  ASSERT_TRUE(after.run_to_rest());
+  EXPECT_EQ(after.istwert(0), 60) << "and goes on after a log-out";
+  EXPECT_EQ(after.istwert(1), 5);
+}
+
 TEST(HandInput, MODEL_007_TheReducedModelHasNeitherG90NorArcs) {
   for (const std::string_view code : {"90", "02", "03", "17", "41"}) {
     Bench::Setup setup;

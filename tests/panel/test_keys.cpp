@@ -241,6 +241,48 @@ constexpr Scene kScenes[] = {
     {"SL all", "SPEICHER_LOESCHEN CLEAR", Place::erase_all},
 };
 
+/// Row 18 says in a sentence what the control waits for, the rows below which keys work, from the one table.
+TEST(Keys, DEC_01_EveryPlaceHasASentenceAndItsKeysBelow) {
+  for (const Scene& scene : kScenes) {
+    for (const language::Tongue tongue : {language::Tongue::german, language::Tongue::english}) {
+      SCOPED_TRACE(std::string(scene.name));
+      Bench::Setup setup{.tape = std::string(kBild7)};
+      setup.settings.tongue = tongue;
+      Bench bench(setup);
+      bench.keys(scene.keys);
+      bench.run_for(10);
+      const std::string sentence = bench.row(18) + " " + bench.row(19);
+      EXPECT_TRUE(sentence.find_first_of(".!…") != std::string::npos) << sentence;
+      std::string below;
+      for (int row = 19; row < 24; ++row) below += bench.row(row) + " ";
+      for (const KeyRow& entry : key_table()) {
+        if (entry.place != scene.place) continue;
+        const std::string help(text(entry.help, tongue));
+        EXPECT_TRUE(below.contains(help)) << help << " is missing in\n" << bench.picture();
+      }
+    }
+  }
+}
+
+TEST(Keys, SCR_022_ERR_043_RemoteLightsTheFieldOfExternalData) {
+  Bench::Setup setup;
+  EXPECT_TRUE(Bench(setup).marks().empty());
+  setup.settings.remote = true;
+  const Bench bench(setup);
+  ASSERT_EQ(bench.marks(), std::vector<std::string>{"9 1 1"}) << bench.picture();
+  EXPECT_TRUE(bench.row(9).starts_with("│□ EXTERNE DATEN"));
+}
+
+TEST(Keys, SwitchedOffHintsLeaveTheSentence) {
+  Bench::Setup setup;
+  setup.settings.hints = false;
+  Bench bench(setup);
+  bench.keys("HAND");
+  const std::string sentence = bench.row(18);
+  bench.keys("AUTOMAT");
+  EXPECT_EQ(bench.row(18), sentence);
+}
+
 TEST(Keys, KEY_090_IgnoredKeysChangeNeitherMonitorNorState) {
   for (const Scene& scene : kScenes) {
     for (int i = 1; i <= kKeys; ++i) {

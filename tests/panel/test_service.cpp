@@ -200,6 +200,17 @@ TEST(MemoryTest, D_17_InTheMenuOnlyAndOtherKeysOnTheRackVersion) {
   EXPECT_EQ(rack.control.mode(), Mode::memory_test);
 }
 
+TEST(MemoryTest, DEC_39_ServiceModesEndWhenTheLabsMachineIsConnected) {
+  for (const std::string_view keys : {"ENTER+RESET", "3+6+9"}) {
+    Bench bench;
+    bench.keys(keys);
+    bench.control.connect({bench.channel, machine::Epoch{1}, false, {}});
+    EXPECT_NE(bench.control.mode(), Mode::menu) << keys;
+    bench.control.connect({bench.channel, machine::Epoch{1}, true, {}});
+    EXPECT_EQ(bench.control.mode(), Mode::menu) << keys;
+  }
+}
+
 TEST(Reset, ERR_040_D_121_ColdStartClearsTheWorkingStateAndKeepsTheMemory) {
   Bench bench({.tape = "P0001N001G90%P0002N001G91%"});
   bench.keys("EINGABE 2 ENTER MENU RESET EINGABE");

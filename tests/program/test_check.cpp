@@ -112,5 +112,41 @@ TEST(CheckPrograms, StartProgramsAreThoseThatNobodyCalls) {
       << "the ring is come to from P0003";
 }
 
+struct ContourRow {
+  const char* name;
+  const char* contour;  ///< from N003, behind the call of a tool of radius 5
+  std::vector<std::pair<std::uint16_t, ErrorCode>> faults;
+};
+
+TEST(DryRunContours, ThatCannotBeFollowed_DEC09_D71) {
+  const std::vector<ContourRow> rows{
+      {"a square from outside", "N003G42N004G01X+20000N005G01X+30000N006G01Y+30000N007G40N008G01X+9000", {}},
+      {"a pocket whose last wall ends 3 mm before its first",
+       "N003G42N004G01X+10000N005G01Y+50000N006G01X+60000N007G01Y-30000N008G01X-57000N009G40N010G01Y+10000",
+       {{5, ErrorCode::too_close}, {8, ErrorCode::too_close}}},
+      {"an arc smaller than the tool",
+       "N003G41N004G01X+10000N005G01X+20000N006G03X+0Y+6000I+0J+3000N007G01X-20000N008G40N009G01X-9000",
+       {{6, ErrorCode::inside_arc_too_small}}},
+      {"a step shorter than the tool",
+       "N003G41N004G01X+10000N005G01X+20000N006G01Y+2000N007G01X-20000N008G40N009G01X-9000",
+       {{6, ErrorCode::runs_backwards}}},
+      {"entered on an arc",
+       "N003G41N004G02X+10000Y+0I+5000J+0N005G01X+9000N006G40N007G01X+9000",
+       {{4, ErrorCode::arc_at_entry_or_exit}}},
+      {"two contours, a fault in each",
+       "N003G41N004G01X+10000N005G01X+20000N006G03X+0Y+6000I+0J+3000N007G01X-20000N008G40N009G01X-9000"
+       "N010G41N011G01X+10000N012G01X+20000N013G03X+0Y+6000I+0J+3000N014G01X-20000N015G40N016G01X-9000",
+       {{6, ErrorCode::inside_arc_too_small}, {13, ErrorCode::inside_arc_too_small}}},
+  };
+  for (const ContourRow& row : rows) {
+    SCOPED_TRACE(row.name);
+    const std::string tape = std::string("P0000T001R+5000L+0\nP0001N001G11F1000T01N002G17") + row.contour + "%";
+    std::vector<std::pair<std::uint16_t, ErrorCode>> found;
+    for (const language::Error& error : dry_run(programs_of(tape), wide_settings(), {}, 100'000))
+      found.emplace_back(error.block, error.code);
+    EXPECT_EQ(found, row.faults);
+  }
+}
+
 }  // namespace
 }  // namespace cnclab::program

@@ -101,7 +101,7 @@ TEST(Words, ModalStateKeepsWhatWasSet_FST013) {
 }
 
 TEST(Words, PowerOnState_FST014_G170_G910) {
-  const ModalState& modal = run_text("P0001N001G04H0001%").blocks.back().modal;
+  const ModalState modal = run_text("P0001N001G04H0001%").blocks.back().modal;
   EXPECT_EQ(modal.plane, geometry::Plane::xy);
   EXPECT_EQ(modal.radius, RadiusCompensation::off);
   EXPECT_FALSE(modal.length_compensation);

@@ -154,6 +154,37 @@ TEST_F(Commands, INS_002_watch_prints_the_stations_screen_as_it_changes) {
   EXPECT_TRUE(read_until("EINGABEMODUS"));
 }
 
+TEST_F(Commands, STO_007_runs_on_both_machines_are_recorded_and_replayed_to_the_same_trajectory) {
+  room_.add_student("anna", {"P0001\nN001G01X+5000F2000M03\nN002G01Y+3000F1000\nN003G04H0002M30\n"});
+  StationProcess anna = room_.seat(1, "anna");
+  const auto runs = [&] { return must({"runs", "anna"}).objects; };
+  const auto has_ended = [&](std::size_t count) {
+    return eventually(10s, [&] {
+      const auto all = runs();
+      return all.size() == count && all[0]["ended"] == "program_end";
+    });
+  };
+  anna.key("AUTOMAT ENTER ENTER START");
+  ASSERT_TRUE(has_ended(1)) << anna.text();
+  EXPECT_EQ(runs()[0]["machine"], "training");
+  anna.key("MENU");
+  room_.give_machine(1, anna);
+  anna.key("AUTOMAT ENTER ENTER");
+  anna.expect_ok("pot 60");
+  anna.key("START");
+  ASSERT_TRUE(has_ended(2)) << anna.text();
+  EXPECT_EQ(runs()[0]["machine"], "lab");
+  // The program as it was then: a later change does not matter.
+  must({"program", "send", file("other", "P0001\nN001G00X+1000\n"), "anna", "--replace"});
+  for (const auto& run : runs()) {
+    const auto replayed = must({"run", "replay", std::to_string(run["id"].get<int>())}).objects.at(0);
+    EXPECT_EQ(replayed["same"], true) << run["machine"] << ": " << replayed["detail"];
+    EXPECT_EQ(replayed["largest_deviation_mm"], 0);
+    EXPECT_GT(replayed["ticks"], 300);
+  }
+  EXPECT_EQ(ask({"run", "replay", "999"}).exit_code, 1);
+}
+
 TEST_F(Commands, INS_006_hands_stand_in_the_order_in_which_they_were_raised) {
   room_.add_student("anna");
   room_.add_student("otto");
