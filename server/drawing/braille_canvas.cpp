@@ -16,7 +16,8 @@ bool is_inside(int column, int row) {
 }
 
 std::size_t cell_of(int column, int row) {
-  return static_cast<std::size_t>(row / 4 * BrailleCanvas::kCellColumns + column / 2);
+  constexpr std::size_t kAcross = BrailleCanvas::kCellColumns;
+  return static_cast<std::size_t>(row / 4) * kAcross + static_cast<std::size_t>(column / 2);
 }
 
 std::uint8_t bit_of(int column, int row) {
@@ -73,7 +74,7 @@ void BrailleCanvas::dashed_line(Flat from, Flat to, int& phase) {
 }
 
 std::uint8_t BrailleCanvas::cell(int column, int row) const {
-  return cells_[static_cast<std::size_t>(row * kCellColumns + column)];
+  return cells_[static_cast<std::size_t>(row) * std::size_t{kCellColumns} + static_cast<std::size_t>(column)];
 }
 
 std::string BrailleCanvas::row_text(int row) const {

@@ -64,7 +64,8 @@ class Painter {
     const std::vector<float> shades = shades_of(*scene_.relief, view_, raster);
     for (int row = 0; row < raster.rows; ++row)
       for (int column = 0; column < raster.columns; ++column) {
-        const double shade = shades[static_cast<std::size_t>(row * raster.columns + column)];
+        const double shade =
+            shades[static_cast<std::size_t>(row) * BrailleCanvas::kColumns + static_cast<std::size_t>(column)];
         const int threshold = kPattern[static_cast<std::size_t>(row % 4)][static_cast<std::size_t>(column % 4)];
         if (shade > kVisible && threshold < std::ceil(shade * kDensest * 16)) canvas_.set(column, row);
       }

@@ -32,6 +32,9 @@ std::string mark_text(double mm) {
   return fmt::format("{:g}", rounded == 0 ? 0.0 : rounded);
 }
 
+/// Marks are counted from 0.
+int first_mark(double from_mm, double tick_mm) { return static_cast<int>(std::ceil(from_mm / tick_mm)); }
+
 std::optional<Style> shade_style(float shade) {
   constexpr float kVisible = 0.02F;
   if (shade < kVisible) return std::nullopt;
@@ -97,8 +100,9 @@ class Drawing {
     const std::vector<float> shades = shades_of(*options_.relief, options_.view, raster);
     const double across = width / raster.columns, down = height / raster.rows;
     for (int row = 0; row < raster.rows; ++row) {
-      const auto line = std::span(shades).subspan(static_cast<std::size_t>(row * raster.columns),
-                                                  static_cast<std::size_t>(raster.columns));
+      const auto line =
+          std::span(shades).subspan(static_cast<std::size_t>(row) * static_cast<std::size_t>(raster.columns),
+                                    static_cast<std::size_t>(raster.columns));
       for (int from = 0, to = 0; from < raster.columns; from = to) {
         const auto style = shade_style(line[static_cast<std::size_t>(from)]);
         while (to < raster.columns && shade_style(line[static_cast<std::size_t>(to)]) == style) ++to;
@@ -112,11 +116,13 @@ class Drawing {
     const double tick = sheet_.tick_mm();
     const double left = sheet_.x(field.left), right = sheet_.x(field.right);
     const double bottom = sheet_.y(field.low), top = sheet_.y(field.high);
-    for (double mm = std::ceil(field.left / tick) * tick; mm <= field.right; mm += tick) {
+    for (int mark = first_mark(field.left, tick); mark * tick <= field.right; ++mark) {
+      const double mm = mark * tick;
       add(Stretch{Style::tick, {sheet_.x(mm), bottom}, {sheet_.x(mm), top}});
       add_words(Style::label, Anchor::middle, {sheet_.x(mm), bottom + 20}, mark_text(mm));
     }
-    for (double mm = std::ceil(field.low / tick) * tick; mm <= field.high; mm += tick) {
+    for (int mark = first_mark(field.low, tick); mark * tick <= field.high; ++mark) {
+      const double mm = mark * tick;
       add(Stretch{Style::tick, {left, sheet_.y(mm)}, {right, sheet_.y(mm)}});
       add_words(Style::label, Anchor::end, {left - 8, sheet_.y(mm) + 5}, mark_text(mm));
     }

@@ -138,7 +138,7 @@ struct Control::Impl {
   std::optional<std::array<double, 3>> kept_istwert_mm;
 };
 
-Control::Control(Settings settings, Memory memory, machine::MachineData data)
+Control::Control(const Settings& settings, Memory memory, machine::MachineData data)
     : impl_(std::make_unique<Impl>(settings, std::move(memory), std::move(data))) {}
 
 Control::~Control() = default;

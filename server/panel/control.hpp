@@ -122,7 +122,7 @@ struct SideView {
 
 class Control {
  public:
-  Control(Settings settings, Memory memory, machine::MachineData data);
+  Control(const Settings& settings, Memory memory, machine::MachineData data);
   ~Control();
   Control(const Control&) = delete;
   Control& operator=(const Control&) = delete;

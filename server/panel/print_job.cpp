@@ -20,6 +20,7 @@ PutFiles printed(const PrintOrder& order) {
   }
   const std::vector<transfer::PrintPage> pages = transfer::set_pages(list, order.header);
   std::vector<drawing::Picture> pictures;
+  pictures.reserve(pages.size());
   for (const transfer::PrintPage& page : pages) pictures.push_back(drawing::text_page(page, order.header.what));
   PutFiles files{{{order.file + ".txt", transfer::print_text(pages)}}};
   if (auto pdf = drawing::pdf_of(pictures)) files.files.push_back({order.file + ".pdf", std::move(*pdf)});

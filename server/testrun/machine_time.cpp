@@ -35,7 +35,7 @@ struct MachineTime::Impl {
       if (!done.event_reached) break;
       if (const auto* segment = follower.current())
         if (const auto* dwell = std::get_if<geometry::Dwell>(&segment->item.what)) seconds += dwell->seconds;
-      follower.pass_event();
+      static_cast<void>(follower.pass_event());
     }
     seconds += tick_s - left_s;
   }

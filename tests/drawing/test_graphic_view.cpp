@@ -36,7 +36,7 @@ void expect_golden(const std::string& name, const std::string& drawn) {
 
 /// A pocket is cut: rapid to it, down, across and about, the tool still in it.
 class GraphicView : public testing::Test {
- protected:
+ public:
   ShapedRelief part = pocket();
   std::vector<Stroke> path{
       {.is_rapid = true, .spots = {{-60, -40, 20}, {15, 0, 20}, {15, 0, 2}}},

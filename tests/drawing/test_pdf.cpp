@@ -14,7 +14,6 @@ namespace cnclab::drawing {
 namespace {
 
 using testing::HasSubstr;
-using testing::Not;
 
 /// What a program prints about a file.
 std::string output_of(const std::string& command) {

@@ -13,7 +13,7 @@ using testing::Not;
 constexpr std::string_view kMemory = "P0000T001R+5000L+0P0007N001G05P0001N001G11F1000N002G00X+1000N003G20P0007N001%";
 
 class ExternalData : public testing::Test {
- protected:
+ public:
   ExternalData() : bench({.settings = {.student = "Jörg"}, .tape = std::string(kMemory)}) {
     bench.control.connect_media(true);
     bench.control.insert_cassette({}, bench.now);

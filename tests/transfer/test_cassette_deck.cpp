@@ -11,7 +11,7 @@ using std::chrono::seconds;
 using State = CassetteDeck::State;
 
 class Deck : public testing::Test {
- protected:
+ public:
   void pass(Time time) {
     now += time;
     if (auto event = deck.advance(now)) events.push_back(std::move(*event));
