@@ -48,7 +48,7 @@ std::optional<std::string> tape_of(const Job& job) {
 }
 
 /// The printed form (EXT-005), or nothing after what it cannot hold was printed.
-std::optional<std::string> listing_of(const Job& job) {
+std::optional<std::string> listing_of(const Job& job, language::Tongue tongue) {
   if (!job.recorded_data.empty()) {
     print_problem(
         fmt::format("{}:{}", job.file, job.recorded_data.front().line),
@@ -59,7 +59,7 @@ std::optional<std::string> listing_of(const Job& job) {
   const std::string time = time_stamp();
   std::string text;
   for (const std::uint16_t number : job.in_file_order)
-    text += language::write_listing(*job.programs.find(number), time, job.tongue);
+    text += language::write_listing(*job.programs.find(number), time, tongue);
   return text;
 }
 
@@ -75,7 +75,7 @@ int convert(const Options& options) {
   }
   const auto job = open_sound_job(options);
   if (!job) return kExitError;
-  const auto text = options.target == "listing" ? listing_of(*job) : tape_of(*job);
+  const auto text = options.target == "listing" ? listing_of(*job, options.listing_tongue) : tape_of(*job);
   if (!text) return kExitError;
   const bool written = std::fwrite(text->data(), 1, text->size(), stdout) == text->size() && std::fflush(stdout) == 0;
   if (!written) print_problem("stdout", say(options.tongue, "Schreiben nicht möglich.", "cannot write."));

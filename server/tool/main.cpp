@@ -116,8 +116,9 @@ int main(int argc, char** argv) {
          "--language",
          [&options](const std::string& language) {
            options.tongue = language == "de" ? language::Tongue::german : language::Tongue::english;
+           options.listing_tongue = options.tongue;
          },
-         "de or en; default from LANG")
+         "de or en; default from LANG, listings in German")
       ->check(CLI::IsMember({"de", "en"}));
   add_commands(app, options, chosen);
   app.fallthrough();

@@ -25,7 +25,8 @@ struct Options {
   double tick_ms = 1;
   std::string trace_file, steps_file;
   std::string out_file, view = "xy", target;
-  language::Tongue tongue = language::Tongue::english;
+  language::Tongue tongue = language::Tongue::english;         ///< of messages
+  language::Tongue listing_tongue = language::Tongue::german;  ///< of listings: the original's, unless asked otherwise
 };
 
 // Each returns the exit code.

@@ -91,5 +91,11 @@ TEST_F(ConvertTest, OtherStandardIsAnErrorThatNamesWhatIsPossible) {
   EXPECT_THAT(said.err, HasSubstr("--to cnc3300 or listing"));
 }
 
+TEST_F(ConvertTest, ListingsAreGermanLikeTheOriginalUnlessAskedOtherwise_EXT005) {
+  constexpr std::string_view kTape = "P0001N001G90%";
+  EXPECT_THAT(tool("convert - --to listing", kTape).out, testing::HasSubstr("N001 G90 (ABSOLUTMASS)"));
+  EXPECT_THAT(tool("--language en convert - --to listing", kTape).out, testing::HasSubstr("N001 G90 (ABSOLUTE"));
+}
+
 }  // namespace
 }  // namespace cnclab::tool
