@@ -9,12 +9,14 @@
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <iostream>
+#include <memory>
 
 #include "configuration_file.hpp"
 #include "data_folder.hpp"
 #include "db/store.hpp"
 #include "lab/lab.hpp"
 #include "machine/tick_thread.hpp"
+#include "net/metrics.hpp"
 #include "net/server.hpp"
 
 namespace cnclab {
@@ -83,12 +85,23 @@ int serve(const lab::Configuration& configuration) {
   const auto fingerprint = fingerprint_of(folder->certificate.certificate_pem);
   if (!fingerprint) return fail(fingerprint.error());
 
+  std::unique_ptr<net::Metrics> metrics;
+  if (!configuration.metrics.empty()) {
+    auto listening = net::Metrics::listen(loop, configuration.metrics);
+    if (!listening) return fail(listening.error());
+    metrics = std::move(*listening);
+  }
+
   const db::Post post = [&loop](std::function<void()> job) { asio::post(loop, std::move(job)); };
   machine::TickThread ticks;
   spdlog::info("tick: {}", ticks.privileges());
   db::Store store(std::move(folder->database), post);
   lab::Lab lab(configuration, store, ticks, post, lab::system_clock(), folder->inheritance);
   (*server)->serve(lab);
+  if (metrics) {
+    metrics->serve([&lab] { return lab.metrics(); });
+    spdlog::info("metrics: http://{}/metrics", metrics->address());
+  }
   std::cout << "listening " << (*server)->address() << " fingerprint " << *fingerprint << std::endl;
 
   asio::steady_timer stopping(loop);

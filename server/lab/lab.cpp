@@ -4,7 +4,9 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "cnclab/v1/envelope.pb.h"
 #include "lab/console.hpp"
@@ -19,7 +21,8 @@ constexpr std::int64_t kLoginDeadline_ns = 10 * kSecond_ns;  ///< SEC-005
 constexpr std::int64_t kSilence_ns = 5 * kSecond_ns;         ///< SEAT-004
 constexpr std::size_t kMostUnknown = 64;                     ///< connections that are not logged in (SEC-005)
 
-constexpr int kRunsKept = 1000;  ///< of each person
+constexpr std::size_t kMostUnwritten = 10'000;  ///< journal entries that wait for a disk with room
+constexpr int kRunsKept = 1000;                 ///< of each person
 
 AuthorityRules rules_of(const Configuration& configuration) {
   AuthorityRules rules;
@@ -196,11 +199,16 @@ void Lab::write_journal(std::string kind, std::string detail, int station, std::
 void Lab::flush_journal() {
   journal_flushed_ns_ = clock_.monotonic_ns();
   if (journal_.empty()) return;
-  store_.run([entries = std::move(journal_)](db::Database& database) { database.add_journal(entries); },
-             [](const std::expected<void, db::StoreError>& result) {
-               if (!result) spdlog::error("journal: {}", result.error().text);
+  const auto entries = std::make_shared<const std::vector<db::JournalEntry>>(std::exchange(journal_, {}));
+  store_.run([entries](db::Database& database) { database.add_journal(*entries); },
+             [this, entries, alive = alive_](const std::expected<void, db::StoreError>& result) {
+               if (result || !*alive) return;
+               spdlog::error("journal: {}", result.error().text);
+               // Written with the next ones, when there is room again (STO-009); the oldest go first where it lasts.
+               const std::size_t room = kMostUnwritten - std::min(kMostUnwritten, journal_.size());
+               const auto kept = static_cast<std::ptrdiff_t>(std::min(entries->size(), room));
+               journal_.insert(journal_.begin(), entries->end() - kept, entries->end());
              });
-  journal_.clear();
 }
 
 void Lab::keep_house(std::int64_t now_ns) {

@@ -73,6 +73,8 @@ class Lab {
   /// States saved, farewell to everybody (exit code 10).
   void close();
   [[nodiscard]] bool at_rest() const;
+  /// Counters as Prometheus text, names cnclab_….
+  [[nodiscard]] std::string metrics() const;
 
  private:
   friend class Console;

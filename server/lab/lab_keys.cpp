@@ -192,6 +192,7 @@ void Lab::outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t num
 
 void Lab::store(const DeskPtr& desk, panel::StoreRequest request, std::uint64_t number) {
   desk->storing = number;
+  write_journal("program", change_text(request), desk->station, desk->person.name);
   const db::Author author{desk->person.name, desk->station, clock_.unix_ms()};
   store_.run([id = desk->person.id, request = std::move(request),
               author](db::Database& database) { lab::carry_out(database, id, request, author); },

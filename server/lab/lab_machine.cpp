@@ -147,7 +147,9 @@ void Lab::record_run(const DeskPtr& desk) {
   const machine::Channel& channel = desk->on_lab_machine ? *channel_ : *desk->training();
   const auto order = desk->control.run_order();
   const machine::Snapshot snapshot = channel.snapshot();
-  const bool is_over = recorder.is_recording() && recorder.order() != order.get();
+  // A run that the control has given up may still be braking: its last ticks belong to it.
+  const bool has_left = recorder.is_recording() && recorder.order() != order.get();
+  const bool is_over = has_left && (order != nullptr || !snapshot.started);
   const bool hand_is_over = recorder.is_recording() && !order && !snapshot.started && !goes_on(snapshot.cause);
   if (is_over || hand_is_over) end_recording(desk, recorder, snapshot.cause);
   // By hand only the lab's machine is of interest, and only its trace.

@@ -141,6 +141,9 @@ Json order_json(const panel::RunOrder& order, db::Database& database, db::Person
     json["data"][std::to_string(form.number)] = order.data.get(form.number);
   json["model"] = order.vocabulary.model == language::Model::cnc3250 ? 3250 : 3300;
   json["planned_functions"] = order.vocabulary.planned_functions;
+  json["io_cards"] = order.io_cards;
+  json["rests_accumulate"] = order.rests_accumulate;
+  json["is_single_function"] = order.is_single_function;
   json["versions"] = json["texts"] = Json::object();
   std::map<int, db::StoredProgram> stored;
   for (auto& program : database.programs(person)) stored.emplace(program.number, std::move(program));
@@ -165,6 +168,9 @@ std::expected<panel::RunOrder, std::string> order_of(const Json& json, db::Datab
         static_cast<void>(order.data.set(std::stoi(number), value));
     order.vocabulary.model = json.at("model") == 3250 ? language::Model::cnc3250 : language::Model::cnc3300;
     json.at("planned_functions").get_to(order.vocabulary.planned_functions);
+    order.io_cards = json.value("io_cards", order.io_cards);
+    order.rests_accumulate = json.value("rests_accumulate", false);
+    order.is_single_function = json.value("is_single_function", false);
     order.programs = programs_of(json, database, person);
     return order;
   } catch (const std::exception& error) {  // a record that is not as it was written

@@ -140,6 +140,21 @@ db::StoredDatum stored_datum(int number, std::int64_t value) {
   return {number, value, language::check_code(0, datum_text(number, value))};
 }
 
+std::string change_text(const panel::StoreRequest& request) {
+  if (const auto* put = std::get_if<panel::PutBlock>(&request))
+    return fmt::format("put P{:04} N{:03}", put->program, put->block.number);
+  if (const auto* insert = std::get_if<panel::InsertBlock>(&request))
+    return fmt::format("insert P{:04} N{:03}", insert->program, insert->block.number);
+  if (const auto* erase = std::get_if<panel::DeleteBlock>(&request))
+    return fmt::format("delete P{:04} N{:03}", erase->program, erase->block);
+  if (const auto* remove = std::get_if<panel::RemovePrograms>(&request)) {
+    std::string text = "remove";
+    for (const auto number : remove->programs) text += fmt::format(" P{:04}", number);
+    return text;
+  }
+  return "machine data";
+}
+
 void carry_out(db::Database& database, db::PersonId person, const panel::StoreRequest& request,
                const db::Author& author) {
   std::visit(CarryOut{database, person, author}, request);

@@ -35,6 +35,9 @@ struct StoredControl {
 [[nodiscard]] std::vector<db::StoredBlock> stored_blocks(const language::Program& program);
 [[nodiscard]] db::StoredDatum stored_datum(int number, std::int64_t value);
 
+/// "put P0001 N003", "remove P0001 P0002", … for the journal (STO-006).
+[[nodiscard]] std::string change_text(const panel::StoreRequest& request);
+
 /// Carries out what a control wants stored. Throws what the database throws.
 void carry_out(db::Database& database, db::PersonId person, const panel::StoreRequest& request,
                const db::Author& author);

@@ -125,12 +125,12 @@ void ChannelTick::go(Epoch epoch, bool is_fresh) noexcept {
     return;
   }
   begin_activity(Activity::run);
+  levels_.go = true;
   if (!run_.has_begun) {
     run_.has_begun = true;
     cut_base_ = {.steps = counters_.steps(), .is_new = true};
     for (std::size_t i = 0; i < 3; ++i) cut_base_.mm[i] = counters_.istwert_mm(i);
   }
-  levels_.go = true;
   if (run_.waiting == Waiting::halt) {  // START after STOP in a halt: the halt waited for just that
     run_.waiting = Waiting::no;
     static_cast<void>(follower_.pass_event());

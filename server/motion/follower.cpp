@@ -16,6 +16,8 @@ constexpr int kMostDropped = 4096;
 constexpr int kSearchPerTick = 256;
 /// Segments looked at ahead for feeds that the potentiometer makes slower than the plan.
 constexpr int kOverrideLookAhead = 32;
+/// No more events than this lie between two ways that are joined in motion (the planner's own bound).
+constexpr int kMostEventsAtJoint = 65;
 /// Rounding allowed at a joint, relative.
 constexpr double kJointTolerance = 1e-6;
 
@@ -223,13 +225,26 @@ void Follower::finish_item(const geometry::PathItem& item, Advance& done) noexce
   queue_.pop();
 }
 
-void Follower::finish_motion(const Segment& segment, Advance& done) noexcept {
+/// A joint that was planned only when it was near: a full stop was expected there, so nobody braked to what the
+/// potentiometer leaves of the next feed. The full stop that was expected is still possible.
+bool Follower::is_too_fast_behind(std::uint64_t number, double ratio) const noexcept {
+  const double jump = limits_.start_stop_mm_per_s * (1 + kJointTolerance);
+  if (ratio >= 1 || speed_ > jump) return false;
+  for (int i = 0; i < kMostEventsAtJoint; ++i) {
+    const Segment* next = of_this_run(++number);
+    if (next == nullptr) return false;
+    if (next->is_motion) return speed_ > cap_of(*next, ratio) * (1 + kJointTolerance);
+  }
+  return false;
+}
+
+void Follower::finish_motion(const Segment& segment, double ratio, Advance& done) noexcept {
   const std::uint64_t number = queue_.popped_number();
   const double exit = queue_.exit_speed(number);
   const bool holds_here = hold_.is_chosen && hold_.motion == number;
   position_ = end_of(segment);
   way_ = 0;
-  if (holds_here || speed_ > exit * (1 + kJointTolerance)) {
+  if (holds_here || speed_ > exit * (1 + kJointTolerance) || is_too_fast_behind(number, ratio)) {
     rest();
     done.left_s = 0;
   } else {
@@ -249,7 +264,7 @@ void Follower::move(const Segment& segment, const Demand& demand, Advance& done)
   odometer_ += piece.way_mm;
   way_ = !to_change ? way_ + piece.way_mm : to_creep ? segment.creep_from_mm : segment.length_mm;
   done.left_s = std::max(0.0, done.left_s - piece.time_s);
-  if (to_change && !to_creep) finish_motion(segment, done);
+  if (to_change && !to_creep) finish_motion(segment, demand.override_ratio, done);
   if (piece.rests) {
     rest_due_ = true;
     rest();

@@ -107,7 +107,8 @@ class Follower {
   void rest() noexcept;
   void work_on(const geometry::PathItem& item) noexcept;
   void finish_item(const geometry::PathItem& item, Advance& done) noexcept;
-  void finish_motion(const Segment& segment, Advance& done) noexcept;
+  [[nodiscard]] bool is_too_fast_behind(std::uint64_t number, double ratio) const noexcept;
+  void finish_motion(const Segment& segment, double ratio, Advance& done) noexcept;
   void move(const Segment& segment, const Demand& demand, Advance& done) noexcept;
   void place_on_path() noexcept;
 

@@ -6,10 +6,10 @@
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
-#include <charconv>
 #include <chrono>
 
 #include "net/connection.hpp"
+#include "net/listen.hpp"
 
 namespace cnclab::net {
 
@@ -20,21 +20,6 @@ using asio::ip::tcp;
 namespace {
 
 constexpr std::chrono::milliseconds kPollPeriod{10};
-
-/// "127.0.0.1:3300" or "[::1]:3300"; nothing when it is neither.
-std::optional<tcp::endpoint> endpoint_of(const std::string& address) {
-  const std::size_t colon = address.rfind(':');
-  if (colon == std::string::npos) return std::nullopt;
-  std::string host = address.substr(0, colon);
-  if (host.size() > 2 && host.front() == '[' && host.back() == ']') host = host.substr(1, host.size() - 2);
-  unsigned port = 0;
-  const char* const end = address.data() + address.size();
-  const auto [read, error] = std::from_chars(address.data() + colon + 1, end, port);
-  boost::system::error_code malformed;
-  const auto ip = asio::ip::make_address(host, malformed);
-  if (malformed || error != std::errc{} || read != end || port > 65'535) return std::nullopt;
-  return tcp::endpoint(ip, static_cast<unsigned short>(port));
-}
 
 void report(const std::exception_ptr& failure) {
   try {
@@ -49,20 +34,9 @@ void report(const std::exception_ptr& failure) {
 
 std::expected<std::unique_ptr<Server>, std::string> Server::listen(asio::io_context& loop, const std::string& address,
                                                                    const Certificate& certificate) {
-  const auto endpoint = endpoint_of(address);
-  if (!endpoint)
-    return std::unexpected("cannot listen on '" + address + "': give an address and a port, e.g. 127.0.0.1:3300");
-  tcp::acceptor acceptor(loop);
-  boost::system::error_code error;
-  acceptor.open(endpoint->protocol(), error);
-  if (!error) acceptor.set_option(tcp::acceptor::reuse_address(true), error);
-  if (!error) acceptor.bind(*endpoint, error);
-  if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
-  if (error == asio::error::address_in_use)
-    return std::unexpected("cannot listen on " + address +
-                           ": the port is in use. Is another server running? Choose another with --listen ADDR:PORT");
-  if (error) return std::unexpected("cannot listen on " + address + ": " + error.message());
-  return std::make_unique<Server>(loop, std::move(acceptor), certificate);
+  auto acceptor = listen_on(loop, address);
+  if (!acceptor) return std::unexpected(acceptor.error());
+  return std::make_unique<Server>(loop, std::move(*acceptor), certificate);
 }
 
 Server::Server(asio::io_context& loop, tcp::acceptor acceptor, const Certificate& certificate)

@@ -58,4 +58,40 @@ std::expected<CommandLine, EarlyEnd> read_command_line(const std::vector<std::st
   return line;
 }
 
+std::vector<std::string> words_of(const std::string& line) {
+  std::vector<std::string> words;
+  bool is_quoted = false, has_word = false;
+  for (const char c : line) {
+    if (c == '"') {
+      is_quoted = !is_quoted;
+      if (!has_word) words.emplace_back();
+      has_word = true;
+    } else if (c == ' ' && !is_quoted) {
+      has_word = false;
+    } else {
+      if (!has_word) words.emplace_back();
+      has_word = true;
+      words.back() += c;
+    }
+  }
+  return words;
+}
+
+std::expected<Command, std::string> read_command(const std::vector<std::string>& words) {
+  std::optional<Command> command;
+  CLI::App app("", "");
+  add_commands(app, command);
+  try {
+    std::vector<std::string> reversed(words.rbegin(), words.rend());
+    app.parse(reversed);
+  } catch (const CLI::ParseError& error) {
+    std::string text = error.what();
+    return std::unexpected(text.substr(0, text.find('\n')));
+  }
+  if (!command) return std::unexpected("a command is needed, e.g. students");
+  if (command->changes_own_password)
+    return std::unexpected("passwd: use cnclab-instructor passwd, so that the password is not on the screen");
+  return *command;
+}
+
 }  // namespace cnclab::instructor

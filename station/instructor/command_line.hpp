@@ -43,6 +43,11 @@ struct EarlyEnd {
 /// arguments   without the program's name
 [[nodiscard]] std::expected<CommandLine, EarlyEnd> read_command_line(const std::vector<std::string>& arguments);
 
+/// A command as the console's own command line takes it. errors: what is wrong with it, in one line
+[[nodiscard]] std::expected<Command, std::string> read_command(const std::vector<std::string>& words);
+/// Words between blanks; "…" keeps blanks together.
+[[nodiscard]] std::vector<std::string> words_of(const std::string& line);
+
 /// "P0001" or "1": 0..9999.
 [[nodiscard]] std::optional<std::uint32_t> program_number(const std::string& text);
 

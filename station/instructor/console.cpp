@@ -72,9 +72,10 @@ class Console {
                 [this](const v1::InstructorRequest& request, const v1::InstructorAnswer& answer) {
                   model_ = with_answer(std::move(model_), request, answer);
                 },
+            .screen = [this](const Screen& screen) { model_ = with_screen(std::move(model_), screen); },
             .line =
                 [this](bool is_connected) {
-                  model_.link = is_connected ? Link::connected : Link::lost;
+                  model_ = with_line(std::move(model_), is_connected ? Link::connected : Link::lost);
                   lost_since_ = Clock::now();
                 },
             .ended = [this](const Failure& failure) { failure_ = failure; }};
@@ -84,7 +85,13 @@ class Console {
     Reaction reaction = react(std::move(model_), input);
     model_ = std::move(reaction.model);
     quits_ = quits_ || reaction.quits;
-    if (reaction.request) link_.send(std::move(*reaction.request), reaction.is_urgent);
+    if (!reaction.keys.empty()) link_.press(reaction.keys);
+    if (!reaction.request) return;
+    Command command;
+    command.request = std::move(*reaction.request);
+    command.content_file = reaction.content_file;
+    command.is_collection = reaction.is_collection;
+    link_.send(std::move(command), reaction.is_urgent);
   }
 
   void count_lost_seconds() {

@@ -1,12 +1,18 @@
 // The console's line to the server: status five times a second, commands as they come, a new line when it is lost.
 #include "instructor/console_link.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <boost/asio/as_tuple.hpp>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/system/system_error.hpp>
 #include <exception>
+
+#include "instructor/collection.hpp"
+#include "shared/frame.hpp"
+#include "shared/screen_wire.hpp"
 
 namespace cnclab::instructor {
 namespace {
@@ -65,13 +71,41 @@ void ConsoleLink::enqueue(v1::ClientMessage message, bool is_urgent) {
   outgoing_signal_.cancel();
 }
 
-void ConsoleLink::send(v1::InstructorRequest request, bool is_urgent) {
+void ConsoleLink::send(Command command, bool is_urgent) {
   if (!client_) return;
-  request.set_number(++number_);
-  asked_[number_] = request;
+  command.request.set_number(++number_);
   v1::ClientMessage message;
-  *message.mutable_request() = std::move(request);
+  *message.mutable_request() = command.request;
+  if (message.ByteSizeLong() > kLargestFrame)
+    return conclude(command, std::unexpected(Failure{kRefused, "the file is too large: at most 60000 bytes"}));
+  if (command.request.has_take()) {  // a keyboard without its screen would be typed on blindly
+    v1::ClientMessage watch;
+    watch.mutable_request()->set_number(++number_);
+    watch.mutable_request()->mutable_watch()->set_station(command.request.take().station());
+    enqueue(std::move(watch), false);
+  }
+  const bool gives_back = command.request.has_give();
+  asked_[message.request().number()] = std::move(command);
   enqueue(std::move(message), is_urgent);
+  if (!gives_back) return;
+  v1::ClientMessage unwatch;
+  unwatch.mutable_request()->set_number(++number_);
+  unwatch.mutable_request()->mutable_watch();
+  enqueue(std::move(unwatch), false);
+}
+
+void ConsoleLink::press(const std::vector<Key>& keys) {
+  if (!client_) return;
+  for (const bool pressed : {true, false}) {
+    v1::ClientMessage message;
+    auto& event = *message.mutable_key();
+    event.set_number(++keys_);
+    for (const Key key : keys) event.add_keys(static_cast<v1::Key>(key));
+    event.set_pressed(pressed);
+    event.mutable_seen()->set_beat(beat_);
+    event.mutable_seen()->set_state(state_);
+    enqueue(std::move(message), false);
+  }
 }
 
 void ConsoleLink::stop() {
@@ -89,6 +123,10 @@ awaitable<void> ConsoleLink::keep_connected(station::Client client) {
     last_heard_ = Clock::now();
     outgoing_.clear();
     asked_.clear();
+    parts_.clear();
+    content_.reset();
+    screen_ = Screen();
+    beat_ = state_ = keys_ = 0;
     status_number_ = 0;
     events_.line(true);
     boost::asio::co_spawn(context_, write_all(client_), must_not_throw);
@@ -131,7 +169,8 @@ awaitable<void> ConsoleLink::talk(std::shared_ptr<station::Client> client) {
 void ConsoleLink::take(const v1::ServerMessage& message) {
   if (message.has_beat()) {
     v1::ClientMessage alive;
-    alive.mutable_alive()->set_beat(message.beat().number());
+    beat_ = message.beat().number();
+    alive.mutable_alive()->set_beat(beat_);
     enqueue(std::move(alive), false);
   }
   if (message.has_bye()) {
@@ -140,8 +179,12 @@ void ConsoleLink::take(const v1::ServerMessage& message) {
     has_ended_ = true;
     events_.ended(farewell);
   }
-  if (!message.has_answer()) return;
-  const auto& answer = message.answer();
+  if (message.has_answer()) take_answer(message.answer());
+  if (message.has_chunk()) take_chunk(message.chunk());
+  if (message.has_screen()) take_screen(message.screen());
+}
+
+void ConsoleLink::take_answer(const v1::InstructorAnswer& answer) {
   if (answer.number() == status_number_) {
     status_number_ = 0;
     if (!answer.items().empty() && answer.items(0).has_status()) events_.status(answer.items(0).status());
@@ -149,8 +192,65 @@ void ConsoleLink::take(const v1::ServerMessage& message) {
   }
   const auto asked = asked_.find(answer.number());
   if (asked == asked_.end()) return;
-  events_.answer(asked->second, answer);
+  auto& whole = parts_[answer.number()];
+  whole.MergeFrom(answer);
+  if (answer.more() && !asked->second.request.has_watch()) return;
+  if (answer.transfer() != 0 && !asked->second.content_file.empty())
+    content_.emplace(std::piecewise_construct, std::forward_as_tuple(asked->second),
+                     std::forward_as_tuple(asked->second.content_file));
+  else
+    events_.answer(asked->second.request, whole);
+  parts_.erase(answer.number());
   asked_.erase(asked);
+}
+
+void ConsoleLink::take_chunk(const v1::Chunk& chunk) {
+  if (!content_) return;
+  auto& [command, file] = *content_;
+  const auto acknowledgement = file.take(chunk);
+  v1::ClientMessage message;
+  auto& ack = *message.mutable_chunk_ack();
+  ack.set_transfer(chunk.transfer());
+  if (acknowledgement)
+    ack = *acknowledgement;
+  else
+    ack.set_abort(true);
+  enqueue(std::move(message), false);
+  if (!acknowledgement) {
+    conclude(command, std::unexpected(acknowledgement.error()));
+  } else if (file.is_complete() && command.is_collection) {
+    const auto files = split_collection(command.content_file, command.content_file.parent_path());
+    if (files)
+      conclude(command, fmt::format("{}: {}", command.content_file.parent_path().string(), files->size()));
+    else
+      conclude(command, std::unexpected(files.error()));
+  } else if (file.is_complete()) {
+    conclude(command, command.content_file.string());
+  } else {
+    return;
+  }
+  content_.reset();
+}
+
+void ConsoleLink::take_screen(const v1::ScreenUpdate& update) {
+  auto newer = apply_rows(screen_, update);
+  if (!newer) return client_->close();
+  screen_ = std::move(*newer);
+  state_ = update.state();
+  v1::ClientMessage acknowledgement;
+  acknowledgement.mutable_screen_ack()->set_number(update.number());
+  enqueue(std::move(acknowledgement), false);
+  events_.screen(screen_);
+}
+
+/// Tells how a command ended that this side has carried out itself.
+void ConsoleLink::conclude(const Command& command, const std::expected<std::string, Failure>& result) {
+  v1::InstructorAnswer answer;
+  if (result)
+    answer.add_items()->mutable_done()->set_detail(*result);
+  else
+    answer.set_error(result.error().text);
+  events_.answer(command.request, answer);
 }
 
 awaitable<void> ConsoleLink::write_all(std::shared_ptr<station::Client> client) {

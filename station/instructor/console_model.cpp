@@ -4,6 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
+
+#include "instructor/item_text.hpp"
 
 namespace cnclab::instructor {
 namespace {
@@ -50,6 +53,26 @@ std::optional<v1::InstructorRequest> request_for(char32_t character, const Conso
         request.mutable_power_off();
       }
       break;
+    case U'l': {
+      const auto* seat = model.status ? seat_of(*model.status, model.chosen) : nullptr;
+      const bool is_locked = seat != nullptr && seat->locked();
+      (is_locked ? request.mutable_unlock() : request.mutable_lock())->set_station(chosen_station(model));
+      break;
+    }
+    case U'v': {
+      const bool is_shown = model.status && model.status->shown() == chosen_station(model);
+      request.mutable_show()->set_station(is_shown ? 0 : chosen_station(model));
+      break;
+    }
+    case U'w':
+      request.mutable_watch()->set_station(chosen_station(model));
+      break;
+    case U't':
+      request.mutable_take()->set_station(chosen_station(model));
+      break;
+    case U'g':
+      request.mutable_give()->set_station(chosen_station(model));
+      break;
     default:
       return std::nullopt;
   }
@@ -78,17 +101,28 @@ Reaction choose(ConsoleModel model, int seat) {
   return {.model = std::move(model), .request = {}};
 }
 
-/// A question or the help page takes the next key; a stop always works.
-std::optional<Reaction> react_overlaid(ConsoleModel& model, const Input& input) {
-  if (model.overlay == Overlay::none) return std::nullopt;
-  const auto* typed = std::get_if<Typed>(&input);
-  const auto* special = std::get_if<Special>(&input);
-  const bool stops = (typed && typed->character == U'h') || (special && *special == Special::halt);
-  const bool agrees = typed && std::u32string_view(U"jJyY").contains(typed->character);
-  const bool quits = model.overlay == Overlay::ask_quit && agrees;
-  model.overlay = Overlay::none;
-  if (stops) return std::nullopt;
-  return Reaction{.model = std::move(model), .request = {}, .quits = quits};
+/// A command to be completed and sent with Enter.
+Reaction begin_entry(ConsoleModel model, std::string text) {
+  model.overlay = Overlay::entry;
+  model.entry = std::move(text);
+  model.message = {};
+  return {.model = std::move(model), .request = {}};
+}
+
+/// Letters that begin a command line; nothing for other letters.
+std::optional<std::string> entry_for(char32_t character, int seat) {
+  switch (character) {
+    case U':':
+      return "";
+    case U'm':
+      return fmt::format("message {} ", seat);
+    case U'M':
+      return "message all ";
+    case U'x':
+      return fmt::format("expel {}", seat);
+    default:
+      return std::nullopt;
+  }
 }
 
 Reaction react_typed(ConsoleModel model, char32_t character) {
@@ -97,6 +131,7 @@ Reaction react_typed(ConsoleModel model, char32_t character) {
     model.overlay = Overlay::help;
     return {.model = std::move(model), .request = {}};
   }
+  if (auto entry = entry_for(character, model.chosen)) return begin_entry(std::move(model), std::move(*entry));
   if (character == U'q') return ask_quit(std::move(model));
   auto request = request_for(character, model);
   if (request) return ask_server(std::move(model), std::move(*request));
@@ -116,10 +151,17 @@ Reaction react_special(ConsoleModel model, Special special) {
     case Special::halt:
       return react_typed(std::move(model), U'h');
     case Special::escape:
+    case Special::backspace:
+    case Special::give_back:
       break;
   }
   model.message = {};
   return {.model = std::move(model), .request = {}};
+}
+
+void append_lines(const std::string& text, std::vector<std::string>& lines) {
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
 }
 
 Message done_message(const ConsoleModel& model, const v1::InstructorRequest& request) {
@@ -132,6 +174,11 @@ Message done_message(const ConsoleModel& model, const v1::InstructorRequest& req
   if (request.has_halt()) return say(model, {"MASCHINE HALT. c hebt ihn auf.", "MACHINE HALT. c clears it."});
   if (request.has_clear_halt()) return say(model, {"Halt aufgehoben.", "Halt cleared."});
   if (request.has_power_off()) return say(model, {"Antriebe stromlos. p schaltet ein.", "Drives off. p switches on."});
+  if (request.has_lock()) return say(model, {"Tastatur gesperrt. l gibt sie frei.", "Keyboard locked. l unlocks it."});
+  if (request.has_unlock()) return say(model, {"Tastatur frei.", "Keyboard unlocked."});
+  if (request.has_give()) return say(model, {"Tastatur zurückgegeben.", "Keyboard given back."});
+  if (request.has_show() && request.show().station() != 0)
+    return say(model, {"Alle sehen dieses Bild. v beendet es.", "All see this screen. v ends it."});
   if (request.has_power_on()) return say(model, {"Antriebe eingeschaltet.", "Drives on."});
   return {};
 }
@@ -148,6 +195,7 @@ Reaction react(ConsoleModel model, const Input& input) {
   if (auto reaction = react_overlaid(model, input)) return std::move(*reaction);
   return std::visit(Overloaded{[&](const Typed& typed) { return react_typed(std::move(model), typed.character); },
                                [&](Special special) { return react_special(std::move(model), special); },
+                               [&](const StationKey&) { return Reaction{.model = std::move(model), .request = {}}; },
                                [&](const Clicked& clicked) {
                                  const int seat = clicked.row - kFirstSeatRow + 1;
                                  const bool is_seat = seat >= 1 && seat <= kSeats;
@@ -161,9 +209,35 @@ ConsoleModel with_answer(ConsoleModel model, const v1::InstructorRequest& reques
     model.message = {answer.error(), true};
     return model;
   }
-  const bool has_detail =
-      !answer.items().empty() && answer.items(0).has_done() && !answer.items(0).done().detail().empty();
+  if (request.has_watch() || request.has_take()) {
+    model.overlay = Overlay::watching;
+    model.watched.station =
+        static_cast<int>(request.has_watch() ? request.watch().station() : request.take().station());
+    model.watched.is_typing = request.has_take();
+    return model;
+  }
+  const bool is_line = answer.items_size() == 1 && answer.items(0).has_done();
+  if (!answer.items().empty() && !is_line) {
+    model.overlay = Overlay::page;
+    model.page.clear();
+    model.page_top = 0;
+    for (const auto& item : answer.items()) append_lines(text_of(item), model.page);
+    return model;
+  }
+  const bool has_detail = is_line && !answer.items(0).done().detail().empty();
   model.message = has_detail ? Message{answer.items(0).done().detail(), false} : done_message(model, request);
+  return model;
+}
+
+ConsoleModel with_screen(ConsoleModel model, const Screen& screen) {
+  model.watched.screen = screen;
+  return model;
+}
+
+ConsoleModel with_line(ConsoleModel model, Link link) {
+  model.link = link;
+  if (model.overlay == Overlay::watching) model.overlay = Overlay::none;
+  model.watched = {};
   return model;
 }
 

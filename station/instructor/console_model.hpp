@@ -2,12 +2,16 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <variant>
 #include <vector>
 
 #include "cnclab/v1/instructor.pb.h"
+#include "shared/key.hpp"
+#include "shared/screen.hpp"
+#include "station/keymap.hpp"
 #include "station/language.hpp"
 
 namespace cnclab::instructor {
@@ -19,7 +23,21 @@ inline constexpr int kFirstSeatRow = 2;  ///< screen row of seat 1
 enum class Link : std::uint8_t { connected, lost };
 
 /// What lies over the table of seats, or what is being asked.
-enum class Overlay : std::uint8_t { none, help, ask_quit };
+enum class Overlay : std::uint8_t {
+  none,
+  help,
+  ask_quit,
+  entry,     ///< a command is being typed, as on the command line
+  page,      ///< an answer of several lines
+  watching,  ///< a station's screen; with `is_typing` its keyboard too
+};
+
+/// A station's screen as it was sent last.
+struct Watched {
+  int station = 0;
+  Screen screen;
+  bool is_typing = false;  ///< its keyboard is taken over: keys go there
+};
 
 struct Message {
   std::string text;
@@ -37,22 +55,33 @@ struct ConsoleModel {
   int chosen = 1;                    ///< seat 1..15
   Overlay overlay = Overlay::none;
   Message message;
+  std::string entry;              ///< Overlay::entry: what has been typed, UTF-8
+  std::vector<std::string> page;  ///< Overlay::page: lines
+  int page_top = 0;               ///< first line shown
+  Watched watched;
 };
 
 // What a user can do.
 struct Typed {
   char32_t character = 0;
 };
-enum class Special : std::uint8_t { up, down, enter, halt, escape };
+enum class Special : std::uint8_t { up, down, enter, halt, escape, backspace, give_back };
 struct Clicked {
   int row = 0;
 };
-using Input = std::variant<Typed, Special, Clicked>;
+/// A key that only a station's keyboard knows.
+struct StationKey {
+  station::Special key{};
+};
+using Input = std::variant<Typed, Special, Clicked, StationKey>;
 
 /// What a user's input leads to.
 struct Reaction {
   ConsoleModel model;
   std::optional<v1::InstructorRequest> request;
+  std::filesystem::path content_file = {};  ///< where the answer's content goes
+  bool is_collection = false;               ///< as Command::is_collection
+  std::vector<Key> keys = {};               ///< pressed at the keyboard that is taken over
   bool is_urgent = false;  ///< goes before everything that waits to be sent (a stop is never queued, AUTH-006)
   bool quits = false;
 };
@@ -61,6 +90,17 @@ struct Reaction {
 /// The answer to a command of the user's: its error or its detail goes to the message line.
 [[nodiscard]] ConsoleModel with_answer(ConsoleModel model, const v1::InstructorRequest& request,
                                        const v1::InstructorAnswer& answer);
+
+/// A new screen of the station that is watched.
+[[nodiscard]] ConsoleModel with_screen(ConsoleModel model, const Screen& screen);
+/// The line was lost and is there again: nothing is watched or typed any more.
+[[nodiscard]] ConsoleModel with_line(ConsoleModel model, Link link);
+
+/// Lines of a page that are shown at once.
+inline constexpr int kPageLines = 15;
+
+/// Input while an overlay lies over the table; nothing where it is to be handled as if there were none.
+[[nodiscard]] std::optional<Reaction> react_overlaid(ConsoleModel& model, const Input& input);
 
 /// The entry of `status` for a seat; nullptr where nobody is logged in.
 [[nodiscard]] const v1::StationStatus* seat_of(const v1::Status& status, int seat);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 
@@ -29,9 +30,15 @@ class Drawing {
   explicit Drawing(const ConsoleModel& model) : model_(model) {}
 
   [[nodiscard]] Screen draw() {
+    if (model_.overlay == Overlay::watching) {
+      draw_watched();
+      return screen_;
+    }
     draw_title();
     if (model_.overlay == Overlay::help) {
       draw_help();
+    } else if (model_.overlay == Overlay::page) {
+      draw_page();
     } else {
       draw_headings();
       for (int seat = 1; seat <= kSeats; ++seat) draw_seat(seat);
@@ -94,6 +101,7 @@ class Drawing {
     put(kLink, at_seat->connected() ? say({"ja", "yes"}) : say({"FEHLT", "LOST"}));
     if (at_seat->meldung() != 0) put(kHand, fmt::format("{}.", at_seat->meldung()));
     if (at_seat->locked()) put(kControl, say({"gesperrt", "locked"}));
+    if (!at_seat->taken_by().empty()) put(kControl, at_seat->taken_by());
   }
 
   [[nodiscard]] std::string_view control_of(int seat) const {
@@ -144,7 +152,34 @@ class Drawing {
     }
   }
 
+  /// The station's own 24 rows, with a line over its frame that says how to leave.
+  void draw_watched() {
+    screen_ = model_.watched.screen;
+    const Text watching{" Platz {}: Bild. t Tastatur übernehmen, jede andere Taste: zurück ",
+                        " Station {}: its screen. t takes its keyboard over, any other key: back "};
+    const Text typing{" Platz {}: Ihre Tastatur. F8 gibt sie zurück, F12 MASCHINE HALT ",
+                      " Station {}: your keyboard. F8 gives it back, F12 MACHINE HALT "};
+    const Text& text = model_.watched.is_typing ? typing : watching;
+    screen_.write(0, 1, fmt::format(fmt::runtime(say(text)), model_.watched.station), Attribute::inverse);
+    if (!model_.message.text.empty()) screen_.write(17, 1, model_.message.text, Attribute::inverse, 64);
+  }
+
+  void draw_page() {
+    const int lines = static_cast<int>(model_.page.size());
+    screen_.write(1, 1,
+                  fmt::format("{}-{} / {}", model_.page_top + 1, std::min(lines, model_.page_top + kPageLines), lines),
+                  Attribute::bold);
+    for (int i = 0; i < kPageLines && model_.page_top + i < lines; ++i)
+      screen_.write(kFirstSeatRow + i, 1, model_.page[static_cast<std::size_t>(model_.page_top + i)], Attribute::normal,
+                    Screen::kColumns - 2);
+  }
+
   void draw_message() {
+    if (model_.overlay == Overlay::entry) {
+      screen_.write(kMessageRow, 1, ":" + model_.entry + "_", Attribute::bold, Screen::kColumns - 2);
+      screen_.write(kMessageRow + 1, 1, model_.message.text, Attribute::inverse, Screen::kColumns - 2);
+      return;
+    }
     if (model_.overlay == Overlay::ask_quit && model_.status) {
       const Text question{"Platz {} hat die Steuerung und behält sie. Beenden? j/n",
                           "Seat {} has control and keeps it. Quit? y/n"};
@@ -157,6 +192,11 @@ class Drawing {
   }
 
   void draw_keys() {
+    if (model_.overlay != Overlay::entry)
+      screen_.write(kKeysRow - 1, 1,
+                    say({"w Bild  t Tastatur  l sperren  v allen zeigen  m Nachricht  x abmelden  : Befehl",
+                         "w watch  t keyboard  l lock  v show to all  m message  x expel  : command"}),
+                    Attribute::dim, Screen::kColumns - 1);
     screen_.write(kKeysRow, 1,
                   say({"1-9 ↑↓  s wählen  r zurück  F12/h HALT  c Halt auf  p Strom  ? Hilfe  q Ende",
                        "1-9 ↑↓  s select  r release  F12/h HALT  c clear halt  p power  ? help  q quit"}),
@@ -164,27 +204,35 @@ class Drawing {
   }
 
   void draw_help() {
-    static constexpr std::array<Text, 15> kLines{{
-        {"1 bis 9, ↑ ↓, Maus   Platz wählen", "1 to 9, ↑ ↓, mouse   choose a seat"},
-        {"s oder Eingabetaste  Platz die Maschine anbieten; er nimmt mit START an",
-         "s or Enter           offer the machine to the seat; it accepts with START"},
-        {"S                    auch während sie fährt: hält erst auf der Rampe an",
-         "S                    also while it moves: stops on the ramp first"},
-        {"r                    Steuerung zurücknehmen", "r                    take control back"},
-        {"R                    auch während sie fährt", "R                    also while it moves"},
-        {"F12 oder h           MASCHINE HALT: Rampe, Spindel und Kühlmittel aus",
-         "F12 or h             MACHINE HALT: ramp, spindle and coolant off"},
-        {"c                    Halt aufheben", "c                    clear the halt"},
-        {"p                    Antriebe stromlos, noch einmal: wieder ein",
-         "p                    drives without current, again: on"},
-        {"q                    Konsole beenden", "q                    quit the console"},
-        {"", ""},
+    static constexpr std::array<Text, 16> kLines{{
+        {"1-9 ↑ ↓ Maus  Platz wählen            s Enter  Maschine anbieten (S: mit Halt)",
+         "1-9 ↑ ↓ mouse choose a seat           s Enter  offer the machine (S: stops it)"},
+        {"r             zurücknehmen (R: mit Halt)    p  Antriebe stromlos, wieder ein",
+         "r             take it back (R: stops it)    p  drives without current, on again"},
+        {"F12 h         MASCHINE HALT: Rampe, Spindel und Kühlmittel aus; c hebt ihn auf",
+         "F12 h         MACHINE HALT: ramp, spindle and coolant off; c clears it"},
+        {"w             Bild des Platzes ansehen      v  sein Bild allen zeigen, v endet",
+         "w             watch the station's screen    v  show it to all, v again ends"},
+        {"t             Tastatur übernehmen, F8 gibt zurück (g: auch von hier)",
+         "t             take the keyboard over, F8 gives it back (g: from here too)"},
+        {"l             Tastatur sperren, freigeben   x  Platz abmelden",
+         "l             lock and unlock the keyboard  x  end the station's connection"},
+        {"m M           Nachricht an den Platz, an alle", "m M           message to the station, to all"},
+        {":             jeder Befehl wie auf der Kommandozeile, zum Beispiel:",
+         ":             every command as on the command line, for example:"},
+        {"   students   student add NAME   student password NAME   import liste.csv",
+         "   students   student add NAME   student password NAME   import list.csv"},
+        {"   programs NAME   program show NAME P0001   program send datei.tape --all",
+         "   programs NAME   program show NAME P0001   program send file.tape --all"},
+        {"   program collect ORDNER   program versions NAME P0001",
+         "   program collect FOLDER   program versions NAME P0001"},
+        {"   program restore NAME P0001 3   runs NAME   journal NAME   backup datei.db",
+         "   program restore NAME P0001 3   runs NAME   journal NAME   backup file.db"},
+        {"q             Konsole beenden", "q             quit the console"},
         {"F12 und p ersetzen kein NOT-HALT: der ist ein Schalter an der Maschine.",
          "F12 and p are no emergency stop: that is a switch at the machine."},
-        {"", ""},
-        {"►                    dieser Platz steuert die Maschine",
-         "►                    this seat controls the machine"},
-        {"Hand                 Reihenfolge der Meldungen", "Hand                 order of raised hands"},
+        {"► dieser Platz steuert die Maschine   Hand: Reihenfolge der Meldungen",
+         "► this seat controls the machine      Hand: order of raised hands"},
         {"Jede Taste schließt diese Seite.", "Any key closes this page."},
     }};
     int row = kFirstSeatRow;

@@ -6,7 +6,8 @@
 
 namespace cnclab::instructor {
 
-/// Rows 0 title, 1 headings, 2–16 the seats, 18 machine, 19 tick, 21 message, 23 keys.
+/// Rows 0 title, 1 headings, 2–16 the seats, 18 machine, 19 tick, 21 message or the command being typed, 22 and 23
+/// keys.
 [[nodiscard]] Screen draw_console(const ConsoleModel& model);
 
 }  // namespace cnclab::instructor

@@ -5,8 +5,10 @@
 #include <curses.h>
 
 #include <algorithm>
+#include <array>
 #include <clocale>
 #include <cstdio>
+#include <utility>
 
 namespace cnclab::instructor {
 namespace {
@@ -25,12 +27,36 @@ attr_t curses_attribute(Attribute attribute) {
   return A_NORMAL;
 }
 
+/// Keys that only a station's keyboard knows.
+std::optional<Input> station_key(wint_t key) {
+  using S = station::Special;
+  constexpr std::array<std::pair<int, S>, 8> kKeys{{{KEY_LEFT, S::left},
+                                                    {KEY_RIGHT, S::right},
+                                                    {KEY_PPAGE, S::page_up},
+                                                    {KEY_NPAGE, S::page_down},
+                                                    {KEY_HOME, S::home},
+                                                    {KEY_END, S::end},
+                                                    {KEY_IC, S::insert},
+                                                    {KEY_DC, S::remove}}};
+  for (const auto& [code, special] : kKeys)
+    if (key == static_cast<wint_t>(code)) return StationKey{special};
+  constexpr int kFunctionKeys = 12;
+  for (int number = 1; number <= kFunctionKeys; ++number)
+    if (key == static_cast<wint_t>(KEY_F(number)))
+      return StationKey{static_cast<S>(static_cast<int>(S::f1) + number - 1)};
+  return std::nullopt;
+}
+
 std::optional<Input> key_input(wint_t key) {
   constexpr int kHaltKey = 12;
   if (key == KEY_UP) return Special::up;
   if (key == KEY_DOWN) return Special::down;
   if (key == KEY_ENTER) return Special::enter;
   if (key == KEY_F(kHaltKey)) return Special::halt;
+  if (key == KEY_BACKSPACE) return Special::backspace;
+  constexpr int kGiveBackKey = 8;
+  if (key == KEY_F(kGiveBackKey)) return Special::give_back;
+  if (const auto other = station_key(key)) return *other;
   if (key != KEY_MOUSE) return std::nullopt;
   MEVENT event{};
   if (getmouse(&event) != OK || (event.bstate & (BUTTON1_PRESSED | BUTTON1_CLICKED)) == 0) return std::nullopt;
@@ -41,6 +67,9 @@ Input character_input(wint_t character) {
   constexpr wint_t kEscape = 27;
   if (character == L'\n' || character == L'\r') return Special::enter;
   if (character == kEscape) return Special::escape;
+  constexpr wint_t kDelete = 127, kBackspace = 8;
+  if (character == kDelete || character == kBackspace) return Special::backspace;
+  if (character == L'\t') return StationKey{station::Special::tab};
   return Typed{static_cast<char32_t>(character)};
 }
 

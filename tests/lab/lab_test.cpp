@@ -36,7 +36,7 @@ class LabTest : public testing::Test {
       database.add_person(person, 1);
     }
     store_ = std::make_unique<db::Store>(std::move(database), post());
-    Clock clock{[this] { return now_ns_; }, [] { return std::int64_t{1'000'000'000'000}; }};
+    Clock clock{[this] { return now_ns_; }, [this] { return unix_ms_; }};
     lab_ = std::make_unique<Lab>(Configuration{}, *store_, ticks_, post(), clock, Inheritance{});
   }
   ~LabTest() override {
@@ -107,6 +107,7 @@ class LabTest : public testing::Test {
 
   static inline const std::string hash_ = hash_password("geheim123");
   std::int64_t now_ns_ = 1'000'000'000;
+  std::int64_t unix_ms_ = 1'000'000'000'000;
   std::mutex mutex_;
   std::condition_variable came_;
   std::deque<std::function<void()>> jobs_;
@@ -233,6 +234,17 @@ TEST_F(LabTest, SEAT_004_ASilentConnectionIsClosedAfterFiveSeconds) {
   now_ns_ += 200'000'000;
   lab_->poll();
   EXPECT_FALSE(eva.peer->reason.empty());
+}
+
+TEST_F(LabTest, SEAT_004_WhenTheComputersClockJumpsNobodyIsHungUp) {
+  Caller eva = call();
+  log_in(eva, "eva", 7);
+  for (const std::int64_t jump_ms : {86'400'000LL, -2 * 86'400'000LL}) {
+    unix_ms_ += jump_ms;
+    now_ns_ += 100'000'000;
+    lab_->poll();
+    EXPECT_TRUE(eva.peer->reason.empty());
+  }
 }
 
 TEST_F(LabTest, KeysAreAcknowledgedInTheNextScreen) {

@@ -89,7 +89,7 @@ class Replay : public testing::Test {
 
   static constexpr const char* kProgram =
       "P0001N001G01X+20000Y+5000F2000S1000M03N002G02X+5000Y+5000I+5000J+0N003G04H0002N004G01X-3000N005G22P0002N001W01"
-      "N006G01Z+4000F500M00N007G01X+1000F800M30"
+      "N006G01Z+4000F500M00N007G01X+1000F800M02"
       "P0002N001G01Y+2000F900N002G01Y-1000";
 
   panel::RunOrder order_;
@@ -166,7 +166,7 @@ TEST_F(Replay, STO_007_AnythingThatDecidesTheCourseMakesAnotherTrajectory) {
   EXPECT_TRUE(differs(other_data));
   RecordedRun other_program = run;
   other_program.order.programs.put(
-      language::read_tape("P0001N001G01X+20000Y+5001F2000M30", language::Reading::file).programs.at(0).program);
+      language::read_tape("P0001N001G01X+20000Y+5001F2000M02", language::Reading::file).programs.at(0).program);
   EXPECT_TRUE(differs(other_program));
 }
 

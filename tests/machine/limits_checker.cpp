@@ -167,8 +167,8 @@ double LimitsChecker::cap(std::size_t index, double ratio) const {
 
 /// The speed of one who has braked with all of RAMPE ever since the potentiometer was turned back.
 void LimitsChecker::lower_ceiling(const Tick& tick) {
-  // In a reference run each axis brakes with its share, and some may be done already.
-  const double share = tick.doing == Doing::reference ? 1 / std::sqrt(3.0) : 1;
+  // In a reference run each axis brakes by itself while others back off: all that is sure is that nothing gets faster.
+  const double share = tick.doing == Doing::reference ? 0 : 1;
   ceiling_ = std::min(std::max(0.0, ceiling_ - share * limits_.acceleration_mm_per_s2 * tick_s_ / kRelative),
                       speed_of(tick.now));
 }

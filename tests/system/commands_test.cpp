@@ -155,7 +155,7 @@ TEST_F(Commands, INS_002_watch_prints_the_stations_screen_as_it_changes) {
 }
 
 TEST_F(Commands, STO_007_runs_on_both_machines_are_recorded_and_replayed_to_the_same_trajectory) {
-  room_.add_student("anna", {"P0001\nN001G01X+5000F2000M03\nN002G01Y+3000F1000\nN003G04H0002M30\n"});
+  room_.add_student("anna", {"P0001\nN001G01X+5000F2000M03\nN002G01Y+3000F1000\nN003G04H0002\nN004G01X-1000M02\n"});
   StationProcess anna = room_.seat(1, "anna");
   const auto runs = [&] { return must({"runs", "anna"}).objects; };
   const auto has_ended = [&](std::size_t count) {
@@ -165,7 +165,7 @@ TEST_F(Commands, STO_007_runs_on_both_machines_are_recorded_and_replayed_to_the_
     });
   };
   anna.key("AUTOMAT ENTER ENTER START");
-  ASSERT_TRUE(has_ended(1)) << anna.text();
+  ASSERT_TRUE(has_ended(1)) << anna.text() << must({"runs", "anna"}).output;
   EXPECT_EQ(runs()[0]["machine"], "training");
   anna.key("MENU");
   room_.give_machine(1, anna);

@@ -31,13 +31,53 @@ class ConsoleInTerminal : public testing::Test {
 
 TEST_F(ConsoleInTerminal, INS_001_shows_who_sits_where_as_they_come_and_work) {
   Terminal terminal = console();
-  terminal.wait_for("verbunden");
+  terminal.wait_for("q Ende");  // drawn last
   EXPECT_THAT(terminal.row(row_of(7)), testing::HasSubstr(" 7"));
   StationProcess anna = room_.seat(7, "anna");
   terminal.wait_for("anna");
   EXPECT_THAT(terminal.row(row_of(7)), testing::HasSubstr("anna"));
   anna.key("EINGABE");
   terminal.wait_for("EINGABEMODUS");
+}
+
+TEST_F(ConsoleInTerminal, INS_002_a_station_is_watched_typed_at_locked_and_shown_by_keys) {
+  StationProcess anna = room_.seat(7, "anna");
+  Terminal terminal = console();
+  terminal.wait_for("anna");
+  terminal.type("7w");
+  terminal.wait_for("jede andere Taste");
+  anna.key("EINGABE");
+  terminal.wait_for("EINGABEMODUS");
+  terminal.type("t");
+  terminal.wait_for("F8 gibt sie zur");
+  anna.wait_for("lehrer hat diese Tastatur");
+  terminal.type("\x1b[19~");  // F8
+  terminal.wait_for("LEHRERKONSOLE");
+  anna.wait_gone("lehrer hat diese Tastatur");
+  terminal.type("l");
+  anna.wait_for("gesperrt");
+  terminal.wait_for("gesperrt");
+  terminal.type("l");
+  anna.wait_gone("gesperrt");
+  terminal.type("mGuten Morgen\r");
+  anna.wait_for("lehrer: Guten Morgen");
+}
+
+TEST_F(ConsoleInTerminal, INS_005_every_command_can_be_typed_and_its_answer_read) {
+  Terminal terminal = console();
+  terminal.wait_for("verbunden");
+  terminal.type(":student add berta\r");
+  terminal.wait_for("\"password\"");
+  terminal.type("q");
+  terminal.wait_gone("\"password\"");
+  terminal.type(":students\r");
+  terminal.wait_for("\"role\"");
+  terminal.type("q");
+  terminal.wait_gone("\"role\"");
+  const TemporaryFolder folder;
+  const auto copy = folder.path() / "copy.db";
+  terminal.type(":backup " + copy.string() + "\r");
+  EXPECT_TRUE(eventually(kLimit, [&] { return std::filesystem::exists(copy); })) << terminal.text();
 }
 
 TEST_F(ConsoleInTerminal, INS_002_select_halt_clear_and_release_by_keys) {

@@ -1,7 +1,12 @@
 // How the server starts, refuses to start, and ends (interfaces.md section 2, STO-008, AUTH-012).
+#include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
+#include <array>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -166,6 +171,55 @@ TEST(ServerEnd, STO_002_what_was_acknowledged_before_SIGTERM_is_there_afterwards
   ASSERT_EQ(room.server().wait(kEndLimit), 0);
   room.crash_and_restart();
   EXPECT_EQ(room.instructor().must({"program", "show", "anna", "P0007"}).output, "P0007\nN001G00X+1000\n%\n");
+}
+
+/// The whole answer to one HTTP request on a loopback port.
+std::string http(std::uint16_t port, const std::string& request) {
+  const int line = ::socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(port);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  std::string answer;
+  if (::connect(line, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0 &&
+      ::send(line, request.data(), request.size(), MSG_NOSIGNAL) == static_cast<ssize_t>(request.size())) {
+    std::array<char, 4096> part{};
+    for (ssize_t got = 0; (got = ::recv(line, part.data(), part.size(), 0)) > 0;)
+      answer.append(part.data(), static_cast<std::size_t>(got));
+  }
+  ::close(line);
+  return answer;
+}
+
+TEST(ServerStart, metrics_are_Prometheus_text_on_a_loopback_port_of_their_own) {
+  Classroom room("[server]\nmetrics = \"127.0.0.1:0\"\n");
+  const std::string log = room.server().log();
+  const std::string head = "metrics: http://127.0.0.1:";
+  const auto at = log.find(head);
+  ASSERT_NE(at, std::string::npos) << log;
+  const auto port = static_cast<std::uint16_t>(std::stoul(log.substr(at + head.size())));
+  room.add_student("anna");
+  StationProcess anna = room.seat(1, "anna");
+  const std::string answer = http(port, "GET /metrics HTTP/1.1\r\nHost: lab\r\n\r\n");
+  EXPECT_THAT(answer, testing::StartsWith("HTTP/1.1 200 OK\r\n"));
+  EXPECT_THAT(answer, testing::HasSubstr("# TYPE cnclab_stations gauge\ncnclab_stations 1\n"));
+  EXPECT_THAT(answer, testing::HasSubstr("\ncnclab_store_failures_total 0\n"));
+  EXPECT_THAT(http(port, "GET / HTTP/1.1\r\n\r\n"), testing::StartsWith("HTTP/1.1 404"));
+  EXPECT_THAT(http(port, "POST /metrics HTTP/1.1\r\n\r\n"), testing::StartsWith("HTTP/1.1 405"));
+  EXPECT_EQ(http(port, std::string(5000, 'x')).substr(0, 4), "") << "no end within 4 KiB: closed without an answer";
+}
+
+TEST(ServerStart, metrics_on_an_address_that_others_reach_are_refused) {
+  const TemporaryFolder folder;
+  const auto started =
+      ServerProcess::start({.data = folder.path() / "data",
+                                             .log = folder.path() / "log",
+                                             .port = 0,
+                                             .configuration = "[server]\nmetrics = \"0.0.0.0:0\"\n",
+                                             .more = {}});
+  ASSERT_FALSE(started);
+  EXPECT_EQ(started.error().exit_code, 1);
+  EXPECT_THAT(started.error().log, testing::HasSubstr("loopback"));
 }
 
 }  // namespace

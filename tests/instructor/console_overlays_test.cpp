@@ -1,0 +1,135 @@
+// Commands typed at the console, pages of answers, and a station's screen with its keyboard (INS-002 to INS-005).
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "instructor/console_model.hpp"
+#include "instructor/console_view.hpp"
+
+namespace cnclab::instructor {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+ConsoleModel connected() {
+  ConsoleModel model;
+  model.status.emplace();
+  model.status->mutable_machine()->set_state("standstill");
+  model.chosen = 7;
+  return model;
+}
+
+/// What comes of typing a text and then Enter.
+Reaction entered(ConsoleModel model, const std::u32string& text) {
+  for (const char32_t character : text) model = react(std::move(model), Typed{character}).model;
+  return react(std::move(model), Special::enter);
+}
+
+std::string asked(const Reaction& reaction) { return reaction.request ? reaction.request->ShortDebugString() : "-"; }
+
+TEST(ConsoleEntry, INS_005_every_command_of_the_command_line_can_be_typed) {
+  struct Row {
+    const char32_t* typed;
+    const char* request;
+  };
+  const Row rows[] = {
+      {U":students", "students { }"},
+      {U":student add anna --role observer", "student_add { name: \"anna\" role: \"observer\" }"},
+      {U":program restore anna P0003 2", "program_restore { student: \"anna\" program: 3 version: 2 }"},
+      {U":message 3 \"zwei  Wörter\"", "message { station: 3 text: \"zwei  W\\303\\266rter\" }"},
+      {U"mHallo", "message { station: 7 text: \"Hallo\" }"},
+      {U"MHallo zusammen", "message { text: \"Hallo zusammen\" }"},
+      {U"x", "expel { station: 7 }"},
+  };
+  for (const Row& row : rows) {
+    const Reaction reaction = entered(connected(), row.typed);
+    EXPECT_EQ(asked(reaction), row.request);
+    EXPECT_EQ(reaction.model.overlay, Overlay::none);
+  }
+}
+
+TEST(ConsoleEntry, INS_003_content_goes_to_its_file) {
+  const Reaction backup = entered(connected(), U":backup copy.db");
+  EXPECT_EQ(backup.content_file, "copy.db");
+  const Reaction collected = entered(connected(), U":program collect .");
+  EXPECT_TRUE(collected.is_collection);
+  EXPECT_EQ(collected.content_file.parent_path(), ".");
+}
+
+TEST(ConsoleEntry, a_wrong_command_is_told_and_stays_to_be_corrected) {
+  const Reaction wrong = entered(connected(), U":studentz");
+  EXPECT_FALSE(wrong.request);
+  EXPECT_TRUE(wrong.model.message.is_error);
+  EXPECT_EQ(wrong.model.overlay, Overlay::entry);
+  const ConsoleModel shorter = react(wrong.model, Special::backspace).model;
+  EXPECT_EQ(shorter.entry, "student");
+  EXPECT_EQ(asked(entered(shorter, U"s")), "students { }");
+  EXPECT_EQ(react(wrong.model, Special::escape).model.overlay, Overlay::none);
+}
+
+TEST(ConsoleEntry, a_password_is_not_typed_on_the_screen) {
+  const Reaction refused = entered(connected(), U":passwd");
+  EXPECT_FALSE(refused.request);
+  EXPECT_TRUE(refused.model.message.is_error);
+}
+
+TEST(ConsoleEntry, AUTH_006_F12_stops_while_a_command_is_typed_and_h_is_a_letter) {
+  const ConsoleModel typing = react(connected(), Typed{U':'}).model;
+  EXPECT_EQ(asked(react(typing, Special::halt)), "halt { }");
+  EXPECT_EQ(react(typing, Typed{U'h'}).model.entry, "h");
+}
+
+TEST(ConsolePage, INS_003_a_long_answer_is_scrolled_and_closed) {
+  v1::InstructorRequest request;
+  request.mutable_students();
+  v1::InstructorAnswer answer;
+  for (int i = 0; i < 40; ++i) answer.add_items()->mutable_student()->set_name("s" + std::to_string(i));
+  ConsoleModel model = with_answer(connected(), request, answer);
+  ASSERT_EQ(model.overlay, Overlay::page);
+  EXPECT_THAT(draw_console(model).text(kFirstSeatRow), HasSubstr("\"s0\""));
+  model = react(model, Typed{U' '}).model;
+  EXPECT_THAT(draw_console(model).text(kFirstSeatRow), HasSubstr("\"s15\""));
+  for (int i = 0; i < 50; ++i) model = react(model, Special::down).model;
+  EXPECT_EQ(model.page_top, 25);
+  EXPECT_EQ(react(model, Special::escape).model.overlay, Overlay::none);
+}
+
+TEST(ConsoleWatching, INS_002_a_stations_screen_fills_the_console_until_a_key) {
+  v1::InstructorRequest request;
+  request.mutable_watch()->set_station(7);
+  ConsoleModel model = with_answer(connected(), request, {});
+  Screen screen;
+  screen.write(5, 3, "EINGABEMODUS");
+  model = with_screen(std::move(model), screen);
+  EXPECT_THAT(draw_console(model).text(5), HasSubstr("EINGABEMODUS"));
+  EXPECT_EQ(asked(react(model, Typed{U't'})), "take { station: 7 }");
+  const Reaction back = react(model, Typed{U'q'});
+  EXPECT_EQ(asked(back), "watch { }");
+  EXPECT_EQ(back.model.overlay, Overlay::none);
+}
+
+TEST(ConsoleWatching, INS_002_keys_go_to_the_keyboard_taken_over_until_F8) {
+  v1::InstructorRequest request;
+  request.mutable_take()->set_station(7);
+  const ConsoleModel model = with_answer(connected(), request, {});
+  EXPECT_THAT(react(model, Typed{U't'}).keys, ElementsAre(Key::TEACH_IN));
+  EXPECT_THAT(react(model, StationKey{station::Special::tab}).keys, ElementsAre(Key::EINGABE));
+  EXPECT_THAT(react(model, Typed{U'7'}).keys, ElementsAre(Key::D7));
+  EXPECT_FALSE(react(model, Typed{U'q'}).quits);
+  EXPECT_EQ(asked(react(model, Special::halt)), "halt { }") << "the instructor's halt";
+  const Reaction given = react(model, Special::give_back);
+  EXPECT_EQ(asked(given), "give { station: 7 }");
+  EXPECT_THAT(react(given.model, Typed{U'7'}).keys, IsEmpty());
+}
+
+TEST(ConsoleWatching, SEAT_005_a_lost_line_ends_watching_and_typing) {
+  v1::InstructorRequest request;
+  request.mutable_take()->set_station(7);
+  const ConsoleModel model = with_line(with_answer(connected(), request, {}), Link::lost);
+  EXPECT_EQ(model.overlay, Overlay::none);
+  EXPECT_THAT(react(model, Typed{U'7'}).keys, IsEmpty());
+}
+
+}  // namespace
+}  // namespace cnclab::instructor
