@@ -92,9 +92,9 @@ TEST_F(ConvertTest, OtherStandardIsAnErrorThatNamesWhatIsPossible) {
 }
 
 TEST_F(ConvertTest, ListingsAreGermanLikeTheOriginalUnlessAskedOtherwise_EXT005) {
-  constexpr std::string_view kTape = "P0001N001G90%";
-  EXPECT_THAT(tool("convert - --to listing", kTape).out, testing::HasSubstr("N001 G90 (ABSOLUTMASS)"));
-  EXPECT_THAT(tool("--language en convert - --to listing", kTape).out, testing::HasSubstr("N001 G90 (ABSOLUTE"));
+  const std::string tape = "P0001N001G90%";
+  EXPECT_THAT(tool("convert - --to listing", tape).out, testing::HasSubstr("N001 G90 (ABSOLUTMASS)"));
+  EXPECT_THAT(tool("--language en convert - --to listing", tape).out, testing::HasSubstr("N001 G90 (ABSOLUTE"));
 }
 
 }  // namespace
