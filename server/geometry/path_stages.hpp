@@ -62,7 +62,7 @@ class PathStages {
   [[nodiscard]] std::expected<void, StageFault> push(const PathItem& item, std::vector<PathItem>& out,
                                                      ContourCheck* check = nullptr);
 
-  /// Nothing follows for now (end of the program, an error of the program, a single block in HANDEINGABE): finishes
+  /// Nothing follows (end of the program, an error of the program, a single block in HANDEINGABE): finishes
   /// what is held back as if the contour ended there, at the normal offset of its own end (D-75).
   [[nodiscard]] std::expected<void, StageFault> flush(std::vector<PathItem>& out, ContourCheck* check = nullptr);
 

@@ -30,7 +30,7 @@ class PathSource {
   [[nodiscard]] std::expected<ExecutedBlock, language::Error> step(std::vector<geometry::PathItem>& out,
                                                                    geometry::ContourCheck* check = nullptr);
 
-  /// Nothing follows for now: finishes what the stages hold back (a single block in HANDEINGABE, D-75).
+  /// Nothing follows: finishes what the stages hold back (a single block in HANDEINGABE, D-75).
   [[nodiscard]] std::expected<void, language::Error> flush(std::vector<geometry::PathItem>& out,
                                                            geometry::ContourCheck* check = nullptr);
 
