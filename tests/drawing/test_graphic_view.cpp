@@ -14,8 +14,7 @@ namespace {
 
 std::string text_of(const BrailleCanvas& canvas) {
   std::string text;
-  for (int row = 0; row < BrailleCanvas::kCellRows; ++row)
-    text += "|" + canvas.row_text(row) + "|\n";
+  for (int row = 0; row < BrailleCanvas::kCellRows; ++row) text += "|" + canvas.row_text(row) + "|\n";
   return text;
 }
 

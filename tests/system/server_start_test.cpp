@@ -211,8 +211,7 @@ TEST(ServerStart, metrics_are_Prometheus_text_on_a_loopback_port_of_their_own) {
 
 TEST(ServerStart, metrics_on_an_address_that_others_reach_are_refused) {
   const TemporaryFolder folder;
-  const auto started =
-      ServerProcess::start({.data = folder.path() / "data",
+  const auto started = ServerProcess::start({.data = folder.path() / "data",
                                              .log = folder.path() / "log",
                                              .port = 0,
                                              .configuration = "[server]\nmetrics = \"0.0.0.0:0\"\n",
