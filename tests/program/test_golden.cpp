@@ -4,6 +4,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "program/path_source.hpp"
 #include "run_text.hpp"
 
 namespace cnclab::program {
@@ -42,6 +43,14 @@ INSTANTIATE_TEST_SUITE_P(, Golden,
                                          GoldenRow{"g83", 83, 1000}, GoldenRow{"g84", 84, 1000},
                                          GoldenRow{"g85", 85, 1000}, GoldenRow{"g86", 86, 1000}),
                          [](const auto& row) { return std::string(row.param.name); });
+
+TEST(GoldenPath, OfTheToolsCentre_EX080_to_EX092) {
+  auto source = PathSource::begin(programs_of(content_of("ex080.cnc")), Settings{}, {});
+  ASSERT_TRUE(source);
+  RunResult run;
+  while (!source->ended()) ASSERT_TRUE(source->step(run.items));
+  EXPECT_EQ(run.json(), content_of("ex080.jsonl"));
+}
 
 }  // namespace
 }  // namespace cnclab::program
