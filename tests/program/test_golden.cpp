@@ -37,6 +37,7 @@ TEST_P(Golden, PathIsTheOneWorkedOut) {
 INSTANTIATE_TEST_SUITE_P(, Golden,
                          testing::Values(GoldenRow{"picture7", 1, 10}, GoldenRow{"ex040", 1, 100},
                                          GoldenRow{"ex100", 2, 100}, GoldenRow{"planes", 7, 100},
+                                         GoldenRow{"ex030", 1, 10}, GoldenRow{"ex060", 1, 10},
                                          GoldenRow{"ex070", 1, 100}, GoldenRow{"ex094", 1, 100},
                                          GoldenRow{"radius", 3, 100}, GoldenRow{"events", 4, 100},
                                          GoldenRow{"g81", 81, 1000}, GoldenRow{"g82", 82, 1000},
