@@ -36,6 +36,14 @@ std::array<double, 3> workpiece_of(const Configuration& configuration) {
   return {configuration.size_mm.at(0), configuration.size_mm.at(1), configuration.size_mm.at(2)};
 }
 
+/// Bits of cards 1 and 2 from numbers such as 11 (card 1, line 1) and 28.
+std::array<std::uint8_t, 2> output_lines(const std::vector<int>& numbers) {
+  std::array<std::uint8_t, 2> cards{};
+  for (const int number : numbers)
+    cards.at(static_cast<std::size_t>(number / 10 - 1)) |= static_cast<std::uint8_t>(1U << (number % 10 - 1));
+  return cards;
+}
+
 }  // namespace
 
 Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& ticks, db::Post post, Clock clock,
@@ -55,6 +63,7 @@ Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& tic
       machine_(machine_data_),
       channel_(std::make_shared<machine::Channel>(machine_, machine_data_)),
       recorder_(store, channel_, RunRecorder::Keeps::trace) {
+  channel_->set_outputs_off_at_power_off(output_lines(configuration_.outputs_off_at_power_off));
   if (!ticks_.add(channel_)) throw std::runtime_error("the tick has no place for the lab's machine");
   keep_epoch();
   write_journal("server_start", "nobody has control, position unreferenced");  // AUTH-012
