@@ -144,6 +144,7 @@ void Lab::poll() {
   static_cast<void>(decide(Polled{}, configuration_.tongue));
   const std::vector<DeskPtr> desks = [this] {
     std::vector<DeskPtr> all;
+    all.reserve(desks_.size());
     for (const auto& [id, desk] : desks_) all.push_back(desk);
     return all;
   }();
