@@ -41,6 +41,8 @@ void Session::begin(LoggedIn login) {
   client_ = std::move(login.client);
   ticket_ = login.answer.ticket();
   language_ = language_named(login.answer.language().empty() ? client_.welcome().language() : login.answer.language());
+  media_.reset();
+  if (door_.media && may_press()) media_.emplace(*door_.media, login.answer.user());
   screen_ = Screen();
   last_number_ = handled_key_ = last_beat_ = state_ = 0;
   outgoing_.clear();
@@ -60,6 +62,7 @@ asio::awaitable<Ending> Session::run() {
 
 void Session::lose() {
   client_.close();
+  media_.reset();  // what was half written goes: the server asks again
   is_connected_ = is_online_ = has_alarm_tone_ = false;
   lost_since_ = Clock::now();
   outgoing_.clear();
@@ -90,11 +93,15 @@ asio::awaitable<std::optional<Ending>> Session::read_all() {
           break;
         case v1::ServerMessage::kBye:
           co_return ending_of(message.bye().exit_code(), message.bye().text(), language_);
+        case v1::ServerMessage::kPutMedia:
+        case v1::ServerMessage::kGetMedia:
+        case v1::ServerMessage::kChunk:
+        case v1::ServerMessage::kChunkAck:
+          take_media(message);
+          break;
         case v1::ServerMessage::kWelcome:
         case v1::ServerMessage::kLogin:
         case v1::ServerMessage::kAnswer:
-        case v1::ServerMessage::kChunk:
-        case v1::ServerMessage::kChunkAck:
         case v1::ServerMessage::WHAT_NOT_SET:
           break;  // nothing for a terminal
       }
@@ -117,6 +124,11 @@ void Session::apply(const v1::ScreenUpdate& update) {
   message.mutable_screen_ack()->set_number(update.number());
   queue(std::move(message));
   changed_.notify();
+}
+
+void Session::take_media(const v1::ServerMessage& message) {
+  if (!media_) return;
+  if (auto answer = media_->take(message)) queue(std::move(*answer));
 }
 
 asio::awaitable<void> Session::write_all() {
