@@ -65,6 +65,7 @@ Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& tic
       recorder_(store, channel_, RunRecorder::Keeps::trace) {
   channel_->set_outputs_off_at_power_off(output_lines(configuration_.outputs_off_at_power_off));
   if (!ticks_.add(channel_)) throw std::runtime_error("the tick has no place for the lab's machine");
+  beats_.advance(clock_.monotonic_ns());
   keep_epoch();
   write_journal("server_start", "nobody has control, position unreferenced");  // AUTH-012
 }
@@ -174,15 +175,19 @@ void Lab::watch_connections(std::int64_t now_ns) {
 
 void Lab::send_beats(std::int64_t now_ns) {
   if (!beats_.advance(now_ns)) return;
-  v1::ServerMessage message;
-  message.mutable_beat()->set_number(beats_.number());
   for (const VisitPtr& visit : visits_) {
     const DeskPtr desk = typed_at(*visit);
     const bool has_lease = desk && desk->login == authority_.holder();
     if (!visit->is_logged_in() || (!has_lease && now_ns - visit->last_beat_ns < kSecond_ns)) continue;
     visit->last_beat_ns = now_ns;
-    visit->peer->send(message);
+    send_beat(visit);
   }
+}
+
+void Lab::send_beat(const VisitPtr& visit) {
+  v1::ServerMessage message;
+  message.mutable_beat()->set_number(beats_.number());
+  visit->peer->send(message);
 }
 
 void Lab::release_machine() { static_cast<void>(decide(ReleaseIt{true}, configuration_.tongue)); }
