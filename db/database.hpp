@@ -80,6 +80,17 @@ class Database {
   [[nodiscard]] std::string control_state(PersonId id);  ///< "" where none was kept
   void put_control_state(PersonId id, const std::string& state, std::int64_t now_ms);
 
+  // Cassettes (DEC-33). What belongs to another person is as good as not there.
+  [[nodiscard]] std::vector<StoredCassette> cassettes(PersonId id);  ///< by name
+  /// Nothing where the name is taken, or kMostCassettes are there.
+  std::optional<CassetteId> add_cassette(PersonId id, const std::string& name, const std::string& tape,
+                                         std::int64_t now_ms);
+  [[nodiscard]] std::optional<std::string> tape(PersonId id, CassetteId cassette);
+  void put_tape(PersonId id, CassetteId cassette, const std::string& tape, std::int64_t now_ms);
+  void insert_cassette(PersonId id, std::optional<CassetteId> cassette);            ///< nothing: the recorder is empty
+  bool rename_cassette(PersonId id, CassetteId cassette, const std::string& name);  ///< false: the name is taken
+  void remove_cassette(PersonId id, CassetteId cassette);
+
   // Journal
   void add_journal(const std::vector<JournalEntry>& entries);
   /// Oldest first. person "" = everybody's.

@@ -66,6 +66,18 @@ struct StoredDatum {
   std::uint32_t check_code = 0;
 };
 
+enum class CassetteId : std::int64_t {};
+inline constexpr int kMostCassettes = 10;  ///< of one person (DEC-33)
+
+/// A cassette in the list of a person's; the tape itself is read apart.
+struct StoredCassette {
+  CassetteId id{};
+  std::string name{};
+  bool is_inserted = false;  ///< it lies in the recorder
+  std::int64_t changed_ms = 0;
+  std::size_t bytes = 0;  ///< of the tape
+};
+
 struct JournalEntry {
   std::int64_t time_ms = 0;
   int station = 0;

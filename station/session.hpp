@@ -14,10 +14,12 @@
 #include "shared/screen.hpp"
 #include "station/broadcast.hpp"
 #include "station/login.hpp"
+#include "station/media_drive.hpp"
 
 namespace cnclab::v1 {
 class ClientMessage;
 class ScreenUpdate;
+class ServerMessage;
 class Seen;
 }  // namespace cnclab::v1
 
@@ -91,8 +93,10 @@ class Session {
   boost::asio::awaitable<std::optional<Ending>> log_in_anew(v1::LoginAnswer why);
   void begin(LoggedIn login);
   void apply(const v1::ScreenUpdate& update);
+  void take(const v1::ServerMessage& message);
   void take_answer(const v1::LoginAnswer& answer);
   void lose();
+  void take_media(const v1::ServerMessage& message);
   void queue(v1::ClientMessage message);
   void queue_alive();
   void fill_seen(v1::Seen& seen) const;
@@ -111,6 +115,7 @@ class Session {
   std::uint64_t last_number_ = 0, handled_key_ = 0, last_beat_ = 0, state_ = 0, connection_ = 1;
   std::uint32_t beeps_ = 0;
   Clock::time_point lost_since_{}, last_received_{}, last_alive_{}, log_out_limit_{};
+  std::optional<MediaDrive> media_;
   std::deque<v1::ClientMessage> outgoing_;
   Broadcast to_write_;
 };
