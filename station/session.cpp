@@ -107,8 +107,8 @@ asio::awaitable<std::optional<Ending>> Session::read_all() {
       }
     }
   } catch (const system_error&) {
+    co_return std::nullopt;
   }
-  co_return std::nullopt;
 }
 
 void Session::apply(const v1::ScreenUpdate& update) {
@@ -132,16 +132,17 @@ void Session::take_media(const v1::ServerMessage& message) {
 }
 
 asio::awaitable<void> Session::write_all() {
-  try {
-    for (;;) {
+  for (bool is_open = true; is_open;) {
+    try {
       while (!outgoing_.empty()) {
         const v1::ClientMessage message = std::move(outgoing_.front());
         outgoing_.pop_front();
         co_await client_.write(message);
       }
       co_await to_write_.wait_until(Clock::time_point::max());
+    } catch (const system_error&) {
+      is_open = false;
     }
-  } catch (const system_error&) {
   }
   // The reader finds out why: a Bye may still stand in the line.
   co_await to_write_.wait_until(Clock::now() + pace_.silence);

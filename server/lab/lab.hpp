@@ -87,6 +87,9 @@ class Lab {
   void farewell(const VisitPtr& visit, int exit_code, const std::string& text);
   void watch_connections(std::int64_t now_ns);
   void send_beats(std::int64_t now_ns);
+  /// The newest beat at once, to who may press START next: those without the machine hear one in a second only, and a
+  /// START in answer to that one would be too old (AUTH-008).
+  void send_beat(const VisitPtr& visit);
   void write_journal(std::string kind, std::string detail, int station = 0, std::string person = {}, Epoch lease = {});
   void flush_journal();
   /// Forgets what is older than the configuration keeps it: journal, people long off the roster.

@@ -311,6 +311,7 @@ void Lab::sit_down(const VisitPtr& visit, const DeskPtr& desk, int station) {
   login.set_ticket(desk->ticket);
   login.set_language(tongue_of(desk->person) == language::Tongue::german ? "de" : "en");
   visit->peer->send(message);
+  send_beat(visit);
   write_journal("login", visit->peer->address(), station, desk->person.name);
   store_.run(
       [id = desk->person.id, time = clock_.unix_ms()](db::Database& database) { database.set_last_seen(id, time); },

@@ -29,11 +29,11 @@ bool fits(const std::string& password, const std::string& hash) {
 
 std::string one_time_password() {
   start_sodium();
-  constexpr std::string_view letters = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789";
+  constexpr std::string_view kLetters = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789";
   std::string password;
   for (int i = 0; i < 16; ++i) {
     if (i > 0 && i % 4 == 0) password += '-';
-    password += letters[randombytes_uniform(static_cast<std::uint32_t>(letters.size()))];
+    password += kLetters[randombytes_uniform(static_cast<std::uint32_t>(kLetters.size()))];
   }
   return password;
 }
