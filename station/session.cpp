@@ -63,7 +63,7 @@ asio::awaitable<Ending> Session::run() {
 void Session::lose() {
   client_.close();
   media_.reset();  // what was half written goes: the server asks again
-  is_connected_ = is_online_ = has_alarm_tone_ = false;
+  is_connected_ = is_online_ = has_alarm_tone_ = is_password_wanted_ = false;
   lost_since_ = Clock::now();
   outgoing_.clear();
   ++connection_;
@@ -99,8 +99,18 @@ asio::awaitable<std::optional<Ending>> Session::read_all() {
         case v1::ServerMessage::kChunkAck:
           take_media(message);
           break;
-        case v1::ServerMessage::kWelcome:
+        case v1::ServerMessage::kAskPassword:
+          is_password_wanted_ = true;
+          changed_.notify();
+          break;
         case v1::ServerMessage::kLogin:
+          take_answer(message.login());
+          break;
+        case v1::ServerMessage::kLanguageChosen:
+          language_ = language_named(message.language_chosen().language());
+          changed_.notify();
+          break;
+        case v1::ServerMessage::kWelcome:
         case v1::ServerMessage::kAnswer:
         case v1::ServerMessage::WHAT_NOT_SET:
           break;  // nothing for a terminal
@@ -129,6 +139,12 @@ void Session::apply(const v1::ScreenUpdate& update) {
 void Session::take_media(const v1::ServerMessage& message) {
   if (!media_) return;
   if (auto answer = media_->take(message)) queue(std::move(*answer));
+}
+
+void Session::take_answer(const v1::LoginAnswer& answer) {
+  has_new_password_ = has_new_password_ || answer.result() == v1::LOGIN_RESULT_OK;
+  password_answer_ = answer;
+  changed_.notify();
 }
 
 asio::awaitable<void> Session::write_all() {
@@ -203,6 +219,17 @@ asio::awaitable<std::optional<Ending>> Session::log_in_anew(v1::LoginAnswer why)
 }
 
 std::uint32_t Session::take_beeps() { return std::exchange(beeps_, 0); }
+
+bool Session::take_password_question() { return std::exchange(is_password_wanted_, false); }
+
+std::optional<v1::LoginAnswer> Session::take_password_answer() { return std::exchange(password_answer_, std::nullopt); }
+
+void Session::change_password(const std::string& old_password, const std::string& new_password) {
+  v1::ClientMessage message;
+  message.mutable_change_password()->set_old_password(old_password);
+  message.mutable_change_password()->set_new_password(new_password);
+  queue(std::move(message));
+}
 
 std::optional<std::uint64_t> Session::send_keys(std::span<const Key> keys, bool pressed, bool is_repeat) {
   if (!is_online_ || !may_press()) return std::nullopt;

@@ -12,6 +12,7 @@
 #include "db/types.hpp"
 #include "lab/authority.hpp"
 #include "lab/cassettes.hpp"
+#include "lab/labor_menu.hpp"
 #include "lab/media_order.hpp"
 #include "lab/run_recorder.hpp"
 #include "lab/screen_feed.hpp"
@@ -73,7 +74,8 @@ struct Desk {
   std::uint64_t received = 0;               ///< number of the last input that came
   std::optional<std::uint64_t> storing;     ///< number of the input whose store is on its way
   bool ignore_start_until_release = false;  ///< the START that accepted an offer (AUTH-005)
-  bool labor_open = false;                  ///< the lab's menu is shown (key LABOR)
+  std::optional<LaborMenu> labor;           ///< the lab's menu while it is open (key LABOR)
+  std::deque<std::string> messages;         ///< of the instructor since the login, newest first
   std::uint64_t state = 1;                  ///< number of the situation below (AUTH-008)
   panel::Situation situation;
   bool situation_on_lab = false;

@@ -101,7 +101,6 @@ class Lab {
   void greet(const VisitPtr& visit, const v1::ClientMessage& message);
   void log_in(const VisitPtr& visit, const v1::Login& login);
   void password_checked(const VisitPtr& visit, const std::optional<db::Person>& person, bool fits);
-  void change_password(const VisitPtr& visit, const v1::ChangePassword& change);
   void admit(const VisitPtr& visit);
   void admit_station(const VisitPtr& visit);
   void load_desk(const VisitPtr& visit);
@@ -123,16 +122,33 @@ class Lab {
   void pump(const DeskPtr& desk);
   void act(const DeskPtr& desk, const Input& input);
   void start_pressed(const DeskPtr& desk, const Input& input);
-  void labor_key(const DeskPtr& desk, Key key);
   void outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t number);
   void store(const DeskPtr& desk, panel::StoreRequest request, std::uint64_t number);
   [[nodiscard]] bool is_fresh(const Desk& desk, const Input& input) const;
   void note(Desk& desk, const std::string& sentence);
   void save_state(const DeskPtr& desk);
 
+  // lab_labor.cpp
+  /// The lab's menu gets the key: LABOR, and every other one while it is open, but for the START that accepts an offer.
+  [[nodiscard]] bool takes_for_menu(const Desk& desk, Key key) const;
+  void labor_key(const DeskPtr& desk, Key key);
+  /// A message of the instructor: row 18 now, and on the menu's list.
+  void deliver(Desk& desk, const std::string& message);
+  void choose_language(const DeskPtr& desk, language::Tongue tongue);
+  [[nodiscard]] LaborFacilities labor_facilities(const Desk& desk) const;
+  struct LaborOrders;  ///< what each order does
+
+  // lab_password.cpp
+  void change_password(const VisitPtr& visit, const v1::ChangePassword& change);
+  void change_expired_password(const VisitPtr& visit, const std::string& wish);
+  void change_own_password(const VisitPtr& visit, const v1::ChangePassword& change);
+  void keep_password(const VisitPtr& visit, const std::string& wish, std::function<void()> kept);
+  void answer_password(const VisitPtr& visit, v1::LoginResult result, const std::string& text) const;
+
   // lab_versions.cpp
-  /// Behind key LABOR: an older version of an own program becomes the newest; row 18 tells (STO-005).
-  void restore_version(const DeskPtr& desk, std::uint16_t program, int version);
+  /// Behind key LABOR (STO-005): the menu gets the list; an older version becomes the newest and row 18 tells.
+  void read_versions(const DeskPtr& desk, const Subject& of);
+  void restore_version(const DeskPtr& desk, const Subject& of, int version);
   /// The control takes up what the database has of its programs.
   void reload_programs(db::PersonId person);
 
@@ -159,7 +175,10 @@ class Lab {
   void change_recorder(const DeskPtr& desk, std::optional<db::CassetteId> next, std::optional<db::CassetteId> removed);
   /// Behind key LABOR.
   void wish_cassette(const DeskPtr& desk, const CassetteWish& wish);
-  /// The list that the menu may show is another one.
+  void act_on_cassette(const DeskPtr& desk, const ActOnCassette& order);
+  [[nodiscard]] std::vector<std::string> cassette_lines(const Desk& desk) const;
+  void show_cassette(const DeskPtr& desk, std::size_t index);
+  /// Where the menu shows them, it shows them as they are now.
   void cassettes_changed(const DeskPtr& desk);
 
   // lab_keyboards.cpp

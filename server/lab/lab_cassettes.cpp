@@ -36,6 +36,7 @@ void Lab::watch_recorder(const DeskPtr& desk) {
   if (!shelf.inserted) return;
   const bool runs = desk->control.recorder_runs();
   if (runs) shelf.is_changed = true;
+  if (runs || shelf.has_run) cassettes_changed(desk);  // the counter turns
   if (shelf.has_run && !runs) save_cassette(desk);
   shelf.has_run = runs;
 }
@@ -141,6 +142,54 @@ void Lab::wish_cassette(const DeskPtr& desk, const CassetteWish& wish) {
                    {});
 }
 
-void Lab::cassettes_changed(const DeskPtr& desk) { desk->is_dirty = true; }
+void Lab::act_on_cassette(const DeskPtr& desk, const ActOnCassette& order) {
+  using Key = panel::Control::RecorderKey;
+  const auto& list = desk->cassettes.list;
+  if (order.index >= list.size()) return;
+  const db::CassetteId id = list[order.index].id;
+  switch (order.act) {
+    case CassetteAct::insert:
+      return wish_cassette(desk, InsertCassette{id});
+    case CassetteAct::eject:
+      return wish_cassette(desk, EjectCassette{});
+    case CassetteAct::rewind:
+      return wish_cassette(desk, PressRecorder{Key::rewind});
+    case CassetteAct::wind_on:
+      return wish_cassette(desk, PressRecorder{Key::wind_on});
+    case CassetteAct::stop:
+      return wish_cassette(desk, PressRecorder{Key::stop});
+    case CassetteAct::zero_counter:
+      return wish_cassette(desk, PressRecorder{Key::zero_counter});
+    case CassetteAct::rename:
+      return wish_cassette(desk, RenameCassette{id, order.number});
+    case CassetteAct::remove:
+      return wish_cassette(desk, RemoveCassette{id});
+  }
+}
+
+std::vector<std::string> Lab::cassette_lines(const Desk& desk) const {
+  std::vector<std::string> lines;
+  const auto deck = desk.control.cassette();
+  for (const db::StoredCassette& cassette : desk.cassettes.list)
+    lines.push_back(cassette_line(cassette, deck, tongue_of(desk.person)));
+  return lines;
+}
+
+void Lab::show_cassette(const DeskPtr& desk, std::size_t index) {
+  const auto& list = desk->cassettes.list;
+  if (!desk->labor || index >= list.size()) return;
+  desk->labor->show_cassette(index, cassette_line(list[index], desk->control.cassette(), tongue_of(desk->person)),
+                             list[index].is_inserted && desk->cassettes.inserted == list[index].id);
+  desk->is_dirty = true;
+}
+
+void Lab::cassettes_changed(const DeskPtr& desk) {
+  desk->is_dirty = true;
+  if (!desk->labor) return;
+  if (const auto* page = std::get_if<CassettePage>(&desk->labor->page())) return show_cassette(desk, page->index);
+  const auto* list = std::get_if<ListPage>(&desk->labor->page());
+  if (list != nullptr && list->list == LaborList::cassettes)
+    desk->labor->show_list(LaborList::cassettes, cassette_lines(*desk));
+}
 
 }  // namespace cnclab::lab

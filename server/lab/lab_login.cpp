@@ -129,30 +129,6 @@ void Lab::password_checked(const VisitPtr& visit, const std::optional<db::Person
   admit(visit);
 }
 
-void Lab::change_password(const VisitPtr& visit, const v1::ChangePassword& change) {
-  const std::string& wish = change.new_password();
-  if (wish.size() < kShortestPassword || wish.size() > kLongestPassword) {
-    visit->peer->send(answer_with(v1::LOGIN_RESULT_PASSWORD_WEAK,
-                                  say(tongue_of(visit->person), "Das Passwort muss 8 bis 256 Zeichen haben.",
-                                      "The password must have 8 to 256 characters.")));
-    return;
-  }
-  if (visit->is_logged_in()) return hang_up(visit, "password change out of order");
-  visit->stage = Stage::checking;
-  passwords_.hash(wish, [this, visit, alive = alive_](const std::string& hash) {
-    if (!*alive || visit->stage != Stage::checking) return;
-    store_.run([id = visit->person.id, hash](db::Database& database) { database.set_password(id, hash, false); },
-               [this, visit, hash, alive](const std::expected<void, db::StoreError>& result) {
-                 if (!*alive || visit->stage != Stage::checking) return;
-                 if (!result) return refuse(visit, v1::LOGIN_RESULT_REFUSED, result.error().text);
-                 visit->person.password_hash = hash;
-                 visit->person.must_change = false;
-                 write_journal("password_changed", "", 0, visit->person.name);
-                 admit(visit);
-               });
-  });
-}
-
 void Lab::admit(const VisitPtr& visit) {
   visit->heard_ns = clock_.monotonic_ns();  // while its password was compared it had nothing to say
   const bool instructor = visit->person.role == "instructor";
@@ -301,7 +277,7 @@ void Lab::sit_down(const VisitPtr& visit, const DeskPtr& desk, int station) {
   desk->received = 0;
   desk->waiting.clear();
   if (desk->storing) desk->storing = 0;  // an input of the former connection: nothing to acknowledge here
-  desk->labor_open = false;
+  desk->labor.reset();
   desk->is_dirty = true;
   auto message = answer_with(v1::LOGIN_RESULT_OK, "");
   auto& login = *message.mutable_login();

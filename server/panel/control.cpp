@@ -424,4 +424,15 @@ void Control::replace_memory(Memory memory) {
     prepare_start(*automat, impl_->state);
 }
 
+void Control::replace_data(machine::MachineData data) {
+  impl_->state.data = std::move(data);
+  (void)impl_->state.apply_data();  // where the machine does not stand still, the next START tries again
+}
+
+void Control::set_tongue(language::Tongue tongue) {
+  impl_->state.settings.tongue = tongue;
+  impl_->state.message = {};
+  impl_->state.hint.clear();
+}
+
 }  // namespace cnclab::panel

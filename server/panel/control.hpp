@@ -192,6 +192,10 @@ class Control {
   void restore_state(const std::string& json);
   /// Programs changed from outside (instructor, restore): the memory's copy is replaced.
   void replace_memory(Memory memory);
+  /// Machine data changed from outside (restore): they act as if they had been entered (DEC-28).
+  void replace_data(machine::MachineData data);
+  /// Another language from now on; what row 18 and the monitor's last line said before goes.
+  void set_tongue(language::Tongue tongue);
 
  private:
   struct Impl;
