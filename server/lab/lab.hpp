@@ -22,6 +22,7 @@
 #include "lab/authority.hpp"
 #include "lab/backup_copy.hpp"
 #include "lab/beats.hpp"
+#include "lab/cassettes.hpp"
 #include "lab/clock.hpp"
 #include "lab/configuration.hpp"
 #include "lab/desk.hpp"
@@ -151,6 +152,35 @@ class Lab {
   /// The control takes up what the database has of its programs.
   void reload_programs(db::PersonId person);
 
+  // lab_media.cpp
+  void order_media(const DeskPtr& desk, panel::MediaRequest request, MediaOrder::From from);
+  void print(const DeskPtr& desk, const std::shared_ptr<MediaOrder>& order, const panel::PutFiles& put);
+  [[nodiscard]] bool controls_machine(const Desk& desk) const;
+  void go_on_with_media(const DeskPtr& desk);
+  void media_step(const VisitPtr& visit, const DeskPtr& desk, MediaTransfer::Step step);
+  void fail_media(const DeskPtr& desk, MediaProblem problem);
+  void media_over(const DeskPtr& desk, const MediaOrder& order);
+  void take_media(const VisitPtr& visit, const v1::ClientMessage& message);
+  void watch_media(const DeskPtr& desk, std::int64_t now_ns);
+  void seat_media(const VisitPtr& visit, const DeskPtr& desk);
+  /// Behind key LABOR: a hardcopy of the control's screen, and of the picture in GRAFIK (SYS-013).
+  void print_screen(const DeskPtr& desk);
+
+  // lab_cassettes.cpp
+  void take_up_cassettes(const DeskPtr& desk, StoredCassettes stored);
+  void put_into_recorder(const DeskPtr& desk, db::CassetteId id, const std::string& tape);
+  void watch_recorder(const DeskPtr& desk);
+  void save_cassette(const DeskPtr& desk);
+  void change_cassettes(const DeskPtr& desk, std::function<bool(db::Database&)> change, const std::string& refusal);
+  void change_recorder(const DeskPtr& desk, std::optional<db::CassetteId> next, std::optional<db::CassetteId> removed);
+  /// Behind key LABOR.
+  void wish_cassette(const DeskPtr& desk, const CassetteWish& wish);
+  void act_on_cassette(const DeskPtr& desk, const ActOnCassette& order);
+  [[nodiscard]] std::vector<std::string> cassette_lines(const Desk& desk) const;
+  void show_cassette(const DeskPtr& desk, std::size_t index);
+  /// Where the menu shows them, it shows them as they are now.
+  void cassettes_changed(const DeskPtr& desk);
+
   // lab_keyboards.cpp
   /// Why the person's own keys are barred but for STOP and MASCHINE HALT; nothing while they are not (AUTH-016).
   [[nodiscard]] std::optional<std::string> bar(const Desk& desk) const;
@@ -195,6 +225,7 @@ class Lab {
   Clock clock_;
   PasswordWorker passwords_;
   WorkerThread long_work_;  ///< of the controls: checks before a start
+  WorkerThread printing_;   ///< waits for the printer
   LoginGuard guard_;
   Beats beats_;
   Authority authority_;

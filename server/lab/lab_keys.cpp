@@ -167,6 +167,8 @@ bool Lab::is_fresh(const Desk& desk, const Input& input) const {
 void Lab::outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t number) {
   desk->is_dirty = true;
   if (outcome.store) store(desk, std::move(*outcome.store), number);
+  if (outcome.media) order_media(desk, std::move(*outcome.media), MediaOrder::From::control);
+  if (outcome.picture) order_media(desk, std::move(*outcome.picture), MediaOrder::From::hardcopy);
   if (outcome.mode_changed) save_state(desk);
   if (outcome.was_reset && desk->on_lab_machine)  // DEC-39
     static_cast<void>(decide(Deprived{desk->login, "RESET"}, tongue_of(desk->person)));
@@ -199,6 +201,7 @@ void Lab::note(Desk& desk, const std::string& sentence) {
 
 void Lab::save_state(const DeskPtr& desk) {
   desk->last_saved_ns = clock_.monotonic_ns();
+  save_cassette(desk);
   std::string state = desk->control.save_state();
   if (state == desk->saved_state) return;
   desk->saved_state = state;

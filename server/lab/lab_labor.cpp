@@ -16,7 +16,11 @@ bool Lab::takes_for_menu(const Desk& desk, Key key) const {
   return key == Key::LABOR || (desk.labor && !(key == Key::START && is_asked));
 }
 
-LaborFacilities Lab::labor_facilities(const Desk& /*desk*/) const { return {}; }
+LaborFacilities Lab::labor_facilities(const Desk& desk) const {
+  const VisitPtr visit = desk.visit.lock();
+  return {.can_print_screen = !configuration_.printer_queue.empty() || (visit && visit->has_media),
+          .has_cassettes = true};
+}
 
 /// What each order of the menu does.
 struct Lab::LaborOrders {
@@ -55,11 +59,16 @@ struct Lab::LaborOrders {
       case LaborList::messages:
         return desk->labor->show_list(order.list, {desk->messages.begin(), desk->messages.end()});
       case LaborList::cassettes:
-        return;  // on the start page only where `labor_facilities` says that there are any
+        return desk->labor->show_list(order.list, lab.cassette_lines(*desk));
     }
   }
-  void operator()(const PrintScreen& /*order*/) const {}
-  void operator()(const ChooseCassette& /*order*/) const {}
+  void operator()(const PrintScreen& /*order*/) const {
+    desk->labor.reset();
+    lab.print_screen(desk);
+  }
+  void operator()(const ChooseCassette& order) const { lab.show_cassette(desk, order.index); }
+  void operator()(const MakeCassette& /*order*/) const { lab.wish_cassette(desk, NewCassette{}); }
+  void operator()(const ActOnCassette& order) const { lab.act_on_cassette(desk, order); }
   void operator()(const LogOut& /*order*/) const {
     if (const VisitPtr visit = desk->visit.lock()) lab.log_out(visit, "log-out");
   }

@@ -92,6 +92,7 @@ void Lab::log_in(const VisitPtr& visit, const v1::Login& login) {
     return;
   }
   visit->login = login;
+  visit->has_media = login.has_media();
   visit->stage = Stage::checking;
   store_.run([name = login.user()](db::Database& database) { return database.person(name); },
              [this, visit, alive = alive_](const std::expected<std::optional<db::Person>, db::StoreError>& found) {
@@ -224,6 +225,7 @@ void Lab::load_desk(const VisitPtr& visit) {
                if (is_damaged(stored->machine_data)) restore_machine_data(desk);
                desk->made_ns = clock_.monotonic_ns();
                desk->saved_state = stored->state;
+               take_up_cassettes(desk, stored->cassettes);
                desks_[person.id] = desk;
                admit_station(visit);
              });
@@ -249,6 +251,7 @@ void Lab::resume(const VisitPtr& visit, const v1::Resume& resume) {
                   say(configuration_.tongue, "Bitte neu anmelden.", "Please log in again."));
   const DeskPtr desk = found->second;
   visit->person = desk->person;
+  visit->has_media = resume.has_media();
   if (const DeskPtr other = seated_at(desk->station); other && other != desk) {
     auto message = answer_with(v1::LOGIN_RESULT_SEAT_TAKEN, say(tongue_of(desk->person), "An diesem Platz sitzt jetzt ",
                                                                 "This station is now taken by ") +
@@ -289,6 +292,7 @@ void Lab::sit_down(const VisitPtr& visit, const DeskPtr& desk, int station) {
   store_.run(
       [id = desk->person.id, time = clock_.unix_ms()](db::Database& database) { database.set_last_seen(id, time); },
       [](const std::expected<void, db::StoreError>&) {});
+  seat_media(visit, desk);
   static_cast<void>(decide(LoggedIn{station, desk->login}, tongue_of(desk->person)));
   set_locked(desk, locked_.contains(desk->person.id));
   everybody_changed();
@@ -308,6 +312,8 @@ void Lab::vacate(const VisitPtr& visit, const std::string& why) {
   static_cast<void>(decide(LoggedOut{desk->login, why}, configuration_.tongue));
   desk->login = kNoLogin;
   desk->stop_training();
+  for (const auto& order : desk->media)
+    if (order->transfer) order->transfer->pause();  // begins anew when the line is back
   desk->waiting.clear();
   desk->keep_until_ns = clock_.monotonic_ns() + configuration_.keep_minutes * 60'000'000'000LL;
   write_journal("left", why, desk->station, desk->person.name);

@@ -93,6 +93,14 @@ struct Press {
     here.first = turned(here.first, here.lines.size(), key);
     const auto line = line_of(key, here.first, here.lines.size());
     if (here.list == LaborList::cassettes && line) order = ChooseCassette{*line};
+    if (here.list == LaborList::cassettes && key == Key::EINGABE) order = MakeCassette{};
+  }
+
+  void operator()(CassettePage& here) const {
+    const auto act = lab::press(here, key);
+    if (!act) return;
+    order = ActOnCassette{here.index, *act, number_in(here.digits)};
+    if (act == CassetteAct::rename || act == CassetteAct::remove) page = ListPage{LaborList::cassettes};
   }
 };
 
@@ -113,6 +121,10 @@ LaborOrder LaborMenu::go_back() {
   } else if (auto* question = std::get_if<RestorePage>(&page_)) {
     VersionsPage list = std::move(question->list);
     page_ = std::move(list);
+  } else if (auto* cassette = std::get_if<CassettePage>(&page_)) {
+    if (step_back(*cassette)) return {};
+    page_ = ListPage{LaborList::cassettes};
+    return ReadList{LaborList::cassettes};
   } else if (std::holds_alternative<SubjectPage>(page_) || std::holds_alternative<LanguagePage>(page_) ||
              std::holds_alternative<ListPage>(page_)) {
     page_ = StartPage{};
@@ -131,7 +143,18 @@ void LaborMenu::show_versions(const Subject& of, std::vector<LaborVersion> newes
 void LaborMenu::show_list(LaborList list, std::vector<std::string> lines) {
   const auto* shown = std::get_if<ListPage>(&page_);
   const bool is_awaited = std::holds_alternative<StartPage>(page_) || (shown != nullptr && shown->list == list);
-  if (is_awaited) page_ = ListPage{list, std::move(lines), 0};
+  if (!is_awaited) return;
+  const std::size_t first = shown != nullptr && shown->first < lines.size() ? shown->first : 0;
+  page_ = ListPage{list, std::move(lines), first};
+}
+
+void LaborMenu::show_cassette(std::size_t index, std::string line, bool is_inserted) {
+  const auto* list = std::get_if<ListPage>(&page_);
+  if (list != nullptr && list->list == LaborList::cassettes) page_ = CassettePage{index, {}, false};
+  auto* page = std::get_if<CassettePage>(&page_);
+  if (page == nullptr || page->index != index) return;
+  page->line = std::move(line);
+  page->is_inserted = is_inserted;
 }
 
 }  // namespace cnclab::lab

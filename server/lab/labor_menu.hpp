@@ -2,7 +2,7 @@
 //
 //   LABOR ─▶ StartPage ─▶ SubjectPage ─▶ ProgramPage ─▶ ReadingPage ─▶ VersionsPage ─▶ RestorePage ─▶ RestoreVersion
 //                ├─▶ LanguagePage ─▶ ChooseLanguage
-//                ├─▶ ListPage (messages, cassettes)
+//                ├─▶ ListPage (messages, cassettes) ─▶ CassettePage ─▶ ActOnCassette
 //                └─▶ AskForPassword, PrintScreen, LogOut
 //
 // Digits choose, ↓ +/- and → turn pages, C goes one page back, LABOR and MENU leave. A value without I/O: what a page
@@ -15,6 +15,7 @@
 #include <variant>
 #include <vector>
 
+#include "lab/cassette_page.hpp"
 #include "language/units.hpp"
 #include "shared/key.hpp"
 
@@ -63,8 +64,8 @@ struct ListPage {
   std::vector<std::string> lines{};
   std::size_t first = 0;
 };
-using LaborPage =
-    std::variant<StartPage, SubjectPage, ProgramPage, ReadingPage, VersionsPage, RestorePage, LanguagePage, ListPage>;
+using LaborPage = std::variant<StartPage, SubjectPage, ProgramPage, ReadingPage, VersionsPage, RestorePage,
+                               LanguagePage, ListPage, CassettePage>;
 
 // The orders
 struct CloseMenu {};
@@ -87,10 +88,17 @@ struct ReadList {
 struct ChooseCassette {
   std::size_t index = 0;  ///< in the lines that `show_list` was given
 };
+/// EINGABE on the list of cassettes.
+struct MakeCassette {};
+struct ActOnCassette {
+  std::size_t index = 0;  ///< as ChooseCassette
+  CassetteAct act{};
+  int number = 0;  ///< 0..99, for `rename`
+};
 struct LogOut {};
 /// What the lab is to do; nothing where the key only moved within the menu.
 using LaborOrder = std::variant<std::monostate, CloseMenu, ReadVersions, RestoreVersion, AskForPassword, ChooseLanguage,
-                                PrintScreen, ReadList, ChooseCassette, LogOut>;
+                                PrintScreen, ReadList, ChooseCassette, MakeCassette, ActOnCassette, LogOut>;
 
 /// What this lab offers; what it does not is not on the start page.
 struct LaborFacilities {
@@ -111,6 +119,8 @@ class LaborMenu {
   void show_versions(const Subject& of, std::vector<LaborVersion> newest_first);
   /// For the start page, where the list was chosen, or in place of the list's former lines.
   void show_list(LaborList list, std::vector<std::string> lines);
+  /// For the list of cassettes, where this one was chosen, or in place of what its page has shown so far.
+  void show_cassette(std::size_t index, std::string line, bool is_inserted);
 
   [[nodiscard]] const LaborPage& page() const { return page_; }
   [[nodiscard]] const LaborFacilities& facilities() const { return facilities_; }

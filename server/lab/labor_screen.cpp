@@ -160,13 +160,17 @@ struct Layout {
         rows.lines = {say("Es gibt noch keine.", "There is none.")};
         break;
     }
-    rows.keys = std::string(chooses ? say("1-4 wählt   ", "1-4 choose   ") : "") +
-                say("↓ weiter   +/- zurückblättern   C zurück   LABOR zur Steuerung",
-                    "↓ on   +/- one page back   C back   LABOR to the control");
+    rows.keys = std::string(chooses ? say("1-4 wählt   EINGABE neue   ", "1-4 choose   EINGABE new   ") : "") +
+                say("↓ weiter   +/- zurückblättern   C zurück", "↓ on   +/- one page back   C back");
     if (page.lines.empty()) return rows;
     rows.heading += ", " + page_of(page.first, page.lines.size(), german);
     rows.lines = numbered(page.lines, page.first, chooses);
     return rows;
+  }
+
+  Rows operator()(const CassettePage& page) const {
+    CassetteRows rows = rows_of(page, tongue);
+    return {.heading = std::move(rows.heading), .lines = std::move(rows.lines), .keys = std::move(rows.keys)};
   }
 };
 

@@ -37,6 +37,7 @@ struct Visit {
   db::Person person;                  ///< from a correct password on
   v1::Login login;                    ///< what was asked for; the password is wiped once it is compared
   std::shared_ptr<Desk> desk;         ///< at_desk
+  bool has_media = false;             ///< a station with a folder for files
   int watched_station = 0;            ///< looking_on, at_console: whose screen is shown here, 0 nobody's
   std::weak_ptr<Desk> keyboard;       ///< at_console: whose keyboard it has taken over
   bool is_changing_password = false;  ///< at_desk: the old one is being compared, the new one hashed
