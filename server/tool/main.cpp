@@ -102,6 +102,8 @@ void add_commands(CLI::App& app, Options& options, Command& chosen) {
   convert->add_option("--to", options.target, "cnc3300, listing or din66025")
       ->check(CLI::IsMember({"cnc3300", "listing", "din66025"}))
       ->required();
+  CLI::App* verify = add("verify", "check a lab's database and every block stored in it", tool::verify);
+  verify->add_option("DB", options.file, "the database, e.g. var/cnclab.db, or a backup of it")->required();
 }
 
 }  // namespace

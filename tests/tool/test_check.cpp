@@ -78,7 +78,20 @@ TEST_F(CheckTest, MachineDataDecideWhatIsTooFast) {
   const std::string broken = write("broken.md", "06 = fast\n");
   const Said refused = tool("check - --machine-data " + broken, kPicture7);
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.err, StartsWith(broken + ": "));
+  EXPECT_THAT(refused.err, StartsWith(broken + ":1: "));
+  const Said late = tool("check - --machine-data " + write("late.md", "06 = 3000\n\n99 = 5\n"), kPicture7);
+  EXPECT_EQ(late.exit_code, 1);
+  EXPECT_THAT(late.err, StartsWith(at("late.md") + ":3: MD 99"));
+}
+
+TEST_F(CheckTest, FaultsOfAToolTableNameItsOwnFile) {
+  const std::string tools = write("tools.cnc", "P0000\nT001R+5000\nT002R-5\n");
+  const std::string program = write("program.cnc", "P0000\nT002R-5\nP0001\nN001G17\n%\n");
+  const Said said = tool("check " + program + " --tools " + tools);
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.err, StartsWith(tools + ":3: P0000 T002: "));
+  EXPECT_THAT(said.err, testing::Not(HasSubstr(program)));
+  EXPECT_THAT(tool("check " + program).err, StartsWith(program + ":2: P0000 T002: "));
 }
 
 TEST_F(CheckTest, FilesThatAreNoneGetAClearWord) {
