@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "language/program_text.hpp"
+#include "program/rebuild_modal.hpp"
 #include "tool/text_file.hpp"
 
 namespace cnclab::tool {
@@ -103,13 +104,16 @@ bool read_data(const Options& options, Job& job) {
   return true;
 }
 
+/// A start in the middle finds the modal state that the blocks before it leave, as in AUTOMAT (DEC-26).
 void choose_start(const Options& options, Job& job) {
   const auto first = std::ranges::find_if(job.in_file_order, [](int number) { return number != language::kToolTable; });
   if (first != job.in_file_order.end()) job.start.program = *first;
   if (options.program) job.start.program = *options.program;
   const language::Program* program = job.programs.find(job.start.program);
   if (program != nullptr && !program->blocks.empty()) job.start.block = program->blocks.front().number;
-  if (options.block) job.start.block = *options.block;
+  if (!options.block) return;
+  job.start.block = *options.block;
+  if (program != nullptr) job.start.modal = program::rebuild_modal(job.programs, *program, *options.block, {});
 }
 
 }  // namespace

@@ -124,9 +124,11 @@ TEST_F(CheckTest, FilesThatAreNoneGetAClearWord) {
 }
 
 TEST_F(CheckTest, WrongCommandLinesAreUsageErrors) {
-  for (const char* arguments : {"", "check", "nonsense x", "check - --nonsense", "run - --program X1",
-                                "run - --program P0000", "run - --block N1000", "plot - --out x.svg --view zz",
-                                "plot -", "convert -", "run - --tick-ms 0", "check - --dialect fanuc"})
+  for (const char* arguments :
+       {"", "check", "nonsense x", "check - --nonsense", "run - --program X1", "run - --program P0000",
+        "run - --block N1000", "plot - --out x.svg --view zz", "plot -", "convert -", "run - --tick-ms 0",
+        "run - --max-blocks 0", "path - --max-blocks -1", "run - --max-seconds 0", "run - --max-seconds soon", "verify",
+        "check - --dialect fanuc"})
     EXPECT_EQ(tool(arguments, kPicture7).exit_code, 2) << arguments;
   EXPECT_EQ(tool("--help").exit_code, 0);
 }

@@ -224,6 +224,17 @@ TEST_F(RunTest, ProgramBlockToolsAndMachineDataAreHeeded) {
   EXPECT_EQ(tool("path - --tools " + data, text).exit_code, 1);
 }
 
+TEST_F(RunTest, AStartInTheMiddleFindsTheStateOfTheBlocksBefore_DEC_26) {
+  const std::string text = "P0001N001G11F0500N002G90N003G00X+1000N004G01X+1000Y+1000%";
+  const Said said = tool("path - --block N004", text);
+  EXPECT_EQ(said.exit_code, 0) << said.err;
+  const json line = json::parse(lines_of(said.out).at(0));
+  EXPECT_EQ(line["feed"], 500);
+  EXPECT_EQ(line["to"]["x"], 1);
+  EXPECT_EQ(tool("check - --block N004", text).exit_code, 0);
+  EXPECT_EQ(json::parse(tool("run - --block N004", text).out)["blocks"], 1);
+}
+
 TEST_F(RunTest, PlotDrawsEveryView) {
   for (const char* view : {"xy", "xz", "yz", "iso"}) {
     const std::string out = at(std::string(view) + ".svg");
