@@ -154,7 +154,7 @@ class Lab {
 
   // lab_media.cpp
   void order_media(const DeskPtr& desk, panel::MediaRequest request, MediaOrder::From from);
-  void print(const DeskPtr& desk, const std::shared_ptr<MediaOrder>& order, const panel::PutFiles& put);
+  void print(const DeskPtr& desk, const std::shared_ptr<MediaOrder>& order, const panel::MediaFile& pdf);
   [[nodiscard]] bool controls_machine(const Desk& desk) const;
   void go_on_with_media(const DeskPtr& desk);
   void media_step(const VisitPtr& visit, const DeskPtr& desk, MediaTransfer::Step step);
@@ -224,8 +224,10 @@ class Lab {
   db::Post post_;
   Clock clock_;
   PasswordWorker passwords_;
-  WorkerThread long_work_;  ///< of the controls: checks before a start
-  WorkerThread printing_;   ///< waits for the printer
+  // What a START waits for never waits behind a test run, nor that behind a printer.
+  WorkerThread long_work_;   ///< checks before a start
+  WorkerThread pictures_;    ///< test runs of GRAFIK, portion by portion in turn; printed pages
+  WorkerThread background_;  ///< replays, the printer
   LoginGuard guard_;
   Beats beats_;
   Authority authority_;

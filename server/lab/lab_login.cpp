@@ -218,6 +218,7 @@ void Lab::load_desk(const VisitPtr& visit) {
                const auto& person = visit->person;
                panel::Settings settings = settings_for(configuration_, person, tongue_of(person));
                settings.long_work = [this](std::function<void()> job) { long_work_.enqueue(std::move(job)); };
+               settings.picture_work = [this](std::function<void()> job) { pictures_.enqueue(std::move(job)); };
                const auto desk = std::make_shared<Desk>(person, std::move(settings),
                                                         memory_of(stored->programs, configuration_.memory_bytes),
                                                         machine_data_of(stored->machine_data), ticks_, store_);
