@@ -83,41 +83,39 @@ asio::awaitable<std::optional<Ending>> Session::read_all() {
     for (;;) {
       const v1::ServerMessage message = co_await client_.read();
       last_received_ = Clock::now();
-      switch (message.what_case()) {
-        case v1::ServerMessage::kScreen:
-          apply(message.screen());
-          break;
-        case v1::ServerMessage::kBeat:
-          last_beat_ = message.beat().number();
-          queue_alive();
-          break;
-        case v1::ServerMessage::kBye:
-          co_return ending_of(message.bye().exit_code(), message.bye().text(), language_);
-        case v1::ServerMessage::kPutMedia:
-        case v1::ServerMessage::kGetMedia:
-        case v1::ServerMessage::kChunk:
-        case v1::ServerMessage::kChunkAck:
-          take_media(message);
-          break;
-        case v1::ServerMessage::kAskPassword:
-          is_password_wanted_ = true;
-          changed_.notify();
-          break;
-        case v1::ServerMessage::kLogin:
-          take_answer(message.login());
-          break;
-        case v1::ServerMessage::kLanguageChosen:
-          language_ = language_named(message.language_chosen().language());
-          changed_.notify();
-          break;
-        case v1::ServerMessage::kWelcome:
-        case v1::ServerMessage::kAnswer:
-        case v1::ServerMessage::WHAT_NOT_SET:
-          break;  // nothing for a terminal
-      }
+      if (message.has_bye()) co_return ending_of(message.bye().exit_code(), message.bye().text(), language_);
+      take(message);
     }
   } catch (const system_error&) {
     co_return std::nullopt;
+  }
+}
+
+void Session::take(const v1::ServerMessage& message) {
+  switch (message.what_case()) {
+    case v1::ServerMessage::kScreen:
+      return apply(message.screen());
+    case v1::ServerMessage::kBeat:
+      last_beat_ = message.beat().number();
+      return queue_alive();
+    case v1::ServerMessage::kAskPassword:
+      is_password_wanted_ = true;
+      return changed_.notify();
+    case v1::ServerMessage::kLogin:
+      return take_answer(message.login());
+    case v1::ServerMessage::kLanguageChosen:
+      language_ = language_named(message.language_chosen().language());
+      return changed_.notify();
+    case v1::ServerMessage::kPutMedia:
+    case v1::ServerMessage::kGetMedia:
+    case v1::ServerMessage::kChunk:
+    case v1::ServerMessage::kChunkAck:
+      return take_media(message);
+    case v1::ServerMessage::kWelcome:
+    case v1::ServerMessage::kBye:
+    case v1::ServerMessage::kAnswer:
+    case v1::ServerMessage::WHAT_NOT_SET:
+      return;  // nothing for a terminal
   }
 }
 
@@ -136,15 +134,15 @@ void Session::apply(const v1::ScreenUpdate& update) {
   changed_.notify();
 }
 
-void Session::take_media(const v1::ServerMessage& message) {
-  if (!media_) return;
-  if (auto answer = media_->take(message)) queue(std::move(*answer));
-}
-
 void Session::take_answer(const v1::LoginAnswer& answer) {
   has_new_password_ = has_new_password_ || answer.result() == v1::LOGIN_RESULT_OK;
   password_answer_ = answer;
   changed_.notify();
+}
+
+void Session::take_media(const v1::ServerMessage& message) {
+  if (!media_) return;
+  if (auto answer = media_->take(message)) queue(std::move(*answer));
 }
 
 asio::awaitable<void> Session::write_all() {

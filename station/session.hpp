@@ -93,6 +93,7 @@ class Session {
   boost::asio::awaitable<std::optional<Ending>> log_in_anew(v1::LoginAnswer why);
   void begin(LoggedIn login);
   void apply(const v1::ScreenUpdate& update);
+  void take(const v1::ServerMessage& message);
   void take_answer(const v1::LoginAnswer& answer);
   void lose();
   void take_media(const v1::ServerMessage& message);
