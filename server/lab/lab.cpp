@@ -65,6 +65,7 @@ Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& tic
       recorder_(store, channel_, RunRecorder::Keeps::trace) {
   channel_->set_outputs_off_at_power_off(output_lines(configuration_.outputs_off_at_power_off));
   if (!ticks_.add(channel_)) throw std::runtime_error("the tick has no place for the lab's machine");
+  beats_.advance(clock_.monotonic_ns());
   keep_epoch();
   write_journal("server_start", "nobody has control, position unreferenced");  // AUTH-012
 }
@@ -102,13 +103,17 @@ void Lab::receive(const VisitPtr& visit, const v1::ClientMessage& message) {
     case v1::ClientMessage::kRequest:
       return Console(*this).answer(visit, message.request());
     case v1::ClientMessage::kChunkAck:
+      if (visit->desk) return take_media(visit, message);
       return Console(*this).continue_transfer(visit, message.chunk_ack());
+    case v1::ClientMessage::kChunk:
+    case v1::ClientMessage::kMediaFailed:
+      if (!visit->desk) return hang_up(visit, "message out of order");
+      return take_media(visit, message);
     case v1::ClientMessage::kChangePassword:
       return change_password(visit, message.change_password());
     case v1::ClientMessage::kHello:
     case v1::ClientMessage::kLogin:
     case v1::ClientMessage::kResume:
-    case v1::ClientMessage::kChunk:
     case v1::ClientMessage::WHAT_NOT_SET:
       return hang_up(visit, "message out of order");
   }
@@ -149,8 +154,10 @@ void Lab::poll() {
     return all;
   }();
   for (const DeskPtr& desk : desks) {
-    if (panel::Outcome followed = desk->control.poll(now(*desk)); followed.store || followed.mode_changed)
+    if (panel::Outcome followed = desk->control.poll(now(*desk)); followed.is_anything())
       outcome(desk, std::move(followed), 0);
+    watch_media(desk, now_ns);
+    watch_recorder(desk);
     record_run(desk);
     if (!desk->is_seated() && now_ns >= desk->keep_until_ns) dismiss(desk);
     if (now_ns - desk->last_saved_ns >= 10 * kSecond_ns) save_state(desk);
@@ -174,15 +181,19 @@ void Lab::watch_connections(std::int64_t now_ns) {
 
 void Lab::send_beats(std::int64_t now_ns) {
   if (!beats_.advance(now_ns)) return;
-  v1::ServerMessage message;
-  message.mutable_beat()->set_number(beats_.number());
   for (const VisitPtr& visit : visits_) {
     const DeskPtr desk = typed_at(*visit);
     const bool has_lease = desk && desk->login == authority_.holder();
     if (!visit->is_logged_in() || (!has_lease && now_ns - visit->last_beat_ns < kSecond_ns)) continue;
     visit->last_beat_ns = now_ns;
-    visit->peer->send(message);
+    send_beat(visit);
   }
+}
+
+void Lab::send_beat(const VisitPtr& visit) {
+  v1::ServerMessage message;
+  message.mutable_beat()->set_number(beats_.number());
+  visit->peer->send(message);
 }
 
 void Lab::release_machine() { static_cast<void>(decide(ReleaseIt{true}, configuration_.tongue)); }
