@@ -110,6 +110,7 @@ void Lab::receive(const VisitPtr& visit, const v1::ClientMessage& message) {
     case v1::ClientMessage::kLogin:
     case v1::ClientMessage::kResume:
     case v1::ClientMessage::kChunk:
+    case v1::ClientMessage::kMediaFailed:
     case v1::ClientMessage::WHAT_NOT_SET:
       return hang_up(visit, "message out of order");
   }
@@ -218,7 +219,7 @@ void Lab::flush_journal() {
   store_.run([entries](db::Database& database) { database.add_journal(*entries); },
              [this, entries, alive = alive_](const std::expected<void, db::StoreError>& result) {
                if (result || !*alive) return;
-               spdlog::error("journal: {}", result.error().text);
+               spdlog::error("journal: {}", result.error().detail);
                // Written with the next ones, when there is room again (STO-009); the oldest go first where it lasts.
                const std::size_t room = kMostUnwritten - std::min(kMostUnwritten, journal_.size());
                const auto kept = static_cast<std::ptrdiff_t>(std::min(entries->size(), room));
@@ -247,6 +248,10 @@ void Lab::keep_house(std::int64_t now_ns) {
 
 std::string Lab::say(language::Tongue tongue, const char* german, const char* english) const {
   return tongue == language::Tongue::german ? german : english;
+}
+
+std::string Lab::sentence_for(const db::StoreError& error, language::Tongue tongue) {
+  return std::string(db::explain(error.kind, tongue == language::Tongue::german ? "de" : "en"));
 }
 
 language::Tongue Lab::tongue_of(const db::Person& person) const {

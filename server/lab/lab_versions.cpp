@@ -21,7 +21,7 @@ void Lab::restore_version(const DeskPtr& desk, std::uint16_t program, int versio
         const DeskPtr owner = weak.lock();
         if (!*alive || !owner) return;
         const auto tongue = tongue_of(owner->person);
-        if (!result) return note(*owner, result.error().text);
+        if (!result) return note(*owner, sentence_for(result.error(), tongue_of(owner->person)));
         if (!*result) return note(*owner, result->error().in(tongue));
         note(*owner, say(tongue, "Die Version ist wieder die neueste.", "That version is the newest again."));
         reload_programs(owner->person.id);
