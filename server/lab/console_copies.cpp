@@ -37,6 +37,7 @@ void Console::program_collect(const Reply& reply, const v1::ProgramCollect& requ
 }
 
 void Console::program_restore(const Reply& reply, const v1::ProgramName& request) const {
+  if (request.program() == kMachineDataProgram) return machine_data_restore(reply, request);
   ask_store(
       reply,
       [request, memory = lab_.configuration_.memory_bytes,
@@ -49,6 +50,30 @@ void Console::program_restore(const Reply& reply, const v1::ProgramName& request
       [reply, request](const Console& console, const db::Person& person) {
         console.lab_.reload_programs(person.id);
         const std::string what = fmt::format("P{:04} version {}", request.program(), request.version());
+        console.lab_.write_journal("program_restore", what + " (" + reply.visit->person.name + ")", 0, person.name);
+        console.send_done(reply, what);
+      });
+}
+
+void Console::machine_data_restore(const Reply& reply, const v1::ProgramName& request) const {
+  for (const auto& [id, desk] : lab_.desks_) {
+    if (desk->person.name != request.student()) continue;
+    if (desk->is_seated() || desk->on_lab_machine)
+      return send_error(reply,
+                        lab_.say(reply.tongue, "Erst abmelden: die Maschinendaten gelten ab der nächsten Anmeldung.",
+                                 "Log out first: machine data act from the next log-in on."));
+    lab_.dismiss(desk);  // a control that waits for its line would go on with the old ones
+    break;
+  }
+  ask_store(
+      reply,
+      [request, author = db::Author{reply.visit->person.name, 0, lab_.clock_.unix_ms()}](db::Database& database) {
+        const db::Person person = person_named(database, request.student());
+        restore_machine_data(database, person, static_cast<int>(request.version()), author);
+        return person;
+      },
+      [reply, request](const Console& console, const db::Person& person) {
+        const std::string what = fmt::format("MD version {}", request.version());
         console.lab_.write_journal("program_restore", what + " (" + reply.visit->person.name + ")", 0, person.name);
         console.send_done(reply, what);
       });

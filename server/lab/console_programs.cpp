@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lab/console_ask.hpp"
+#include "lab/program_versions.hpp"
 #include "lab/stored_control.hpp"
 #include "language/tape.hpp"
 
@@ -15,11 +16,16 @@ constexpr std::size_t kLargestTape = 60'000;
 
 std::string program_name(std::uint32_t number) { return fmt::format("P{:04}", number); }
 
-/// The tape text: one block per line, in pieces that each fit a frame.
+std::optional<int> version_in(const v1::ProgramName& request) {
+  return request.version() == 0 ? std::nullopt : std::optional(static_cast<int>(request.version()));
+}
+
+/// The tape text: one block per line, in pieces that each fit a frame; of machine data the lines of their file.
 std::vector<v1::InstructorItem> text_items(std::uint32_t number, const std::vector<std::string>& blocks) {
   constexpr std::size_t kPiece = 32'000;
   std::vector<v1::InstructorItem> items(1);
-  std::string text = program_name(number) + "\n";
+  const bool is_program = number != kMachineDataProgram;
+  std::string text = is_program ? program_name(number) + "\n" : "";
   for (const auto& block : blocks) {
     if (text.size() + block.size() > kPiece) {
       items.back().mutable_program_text()->set_text(text);
@@ -28,7 +34,7 @@ std::vector<v1::InstructorItem> text_items(std::uint32_t number, const std::vect
     }
     text += block + "\n";
   }
-  items.back().mutable_program_text()->set_text(text + "%\n");
+  items.back().mutable_program_text()->set_text(is_program ? text + "%\n" : text);
   return items;
 }
 
@@ -101,6 +107,7 @@ void Console::program_show(const Reply& reply, const v1::ProgramName& request) c
       reply,
       [request](db::Database& database) {
         const auto person = person_named(database, request.student());
+        if (request.program() == kMachineDataProgram) return machine_data_lines(database, person, version_in(request));
         auto blocks =
             database.program_at(person.id, static_cast<int>(request.program()), static_cast<int>(request.version()));
         if (!blocks)
@@ -119,7 +126,9 @@ void Console::program_versions(const Reply& reply, const v1::ProgramName& reques
   ask_store(
       reply,
       [request](db::Database& database) {
-        return database.versions(person_named(database, request.student()).id, static_cast<int>(request.program()));
+        const db::PersonId id = person_named(database, request.student()).id;
+        return request.program() == kMachineDataProgram ? database.machine_data_versions(id)
+                                                        : database.versions(id, static_cast<int>(request.program()));
       },
       [reply](const Console& console, const std::vector<db::ProgramVersion>& versions) {
         Items items;
