@@ -53,6 +53,13 @@ struct ProgramVersion {
   Author author{};
 };
 
+/// Machine data that were changed together, in the list of their versions.
+struct DataVersion {
+  int version = 0;  ///< 1, 2, 3 …; 0 is the state before the first change
+  std::vector<int> numbers{};
+  Author author{};
+};
+
 struct StoredDatum {
   int number = 0;
   std::int64_t value = 0;

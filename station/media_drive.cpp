@@ -37,6 +37,8 @@ std::optional<v1::ClientMessage> MediaDrive::take(const v1::ServerMessage& messa
     case v1::ServerMessage::kBeat:
     case v1::ServerMessage::kBye:
     case v1::ServerMessage::kAnswer:
+    case v1::ServerMessage::kAskPassword:
+    case v1::ServerMessage::kLanguageChosen:
     case v1::ServerMessage::WHAT_NOT_SET:
       break;
   }

@@ -1,6 +1,8 @@
 // Programs of everybody collected, and older versions restored (INS-003, STO-005).
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "lab/console_ask.hpp"
 #include "lab/program_versions.hpp"
 
@@ -56,23 +58,23 @@ void Console::program_restore(const Reply& reply, const v1::ProgramName& request
 }
 
 void Console::machine_data_restore(const Reply& reply, const v1::ProgramName& request) const {
-  for (const auto& [id, desk] : lab_.desks_) {
-    if (desk->person.name != request.student()) continue;
-    if (desk->is_seated() || desk->on_lab_machine)
-      return send_error(reply,
-                        lab_.say(reply.tongue, "Erst abmelden: die Maschinendaten gelten ab der nächsten Anmeldung.",
-                                 "Log out first: machine data act from the next log-in on."));
-    lab_.dismiss(desk);  // a control that waits for its line would go on with the old ones
-    break;
-  }
+  if (const auto desk = lab_.lab_desk_.lock(); desk && desk->person.name == request.student())  // DEC-39
+    return send_error(reply, lab_.say(reply.tongue, "Nicht, solange dieser Platz die Maschine hat.",
+                                      "Not while that station has the machine."));
+  using Restored = std::pair<db::Person, machine::MachineData>;
   ask_store(
       reply,
       [request, author = db::Author{reply.visit->person.name, 0, lab_.clock_.unix_ms()}](db::Database& database) {
         const db::Person person = person_named(database, request.student());
-        restore_machine_data(database, person, static_cast<int>(request.version()), author);
-        return person;
+        return Restored{person,
+                        restore_machine_data_version(database, person.id, static_cast<int>(request.version()), author)};
       },
-      [reply, request](const Console& console, const db::Person& person) {
+      [reply, request](const Console& console, const Restored& restored) {
+        const auto& [person, data] = restored;
+        if (const auto desk = console.lab_.desk_of(person.id)) {
+          desk->control.replace_data(data);
+          desk->is_dirty = true;
+        }
         const std::string what = fmt::format("MD version {}", request.version());
         console.lab_.write_journal("program_restore", what + " (" + reply.visit->person.name + ")", 0, person.name);
         console.send_done(reply, what);

@@ -103,14 +103,17 @@ void Lab::receive(const VisitPtr& visit, const v1::ClientMessage& message) {
     case v1::ClientMessage::kRequest:
       return Console(*this).answer(visit, message.request());
     case v1::ClientMessage::kChunkAck:
+      if (visit->desk) return take_media(visit, message);
       return Console(*this).continue_transfer(visit, message.chunk_ack());
+    case v1::ClientMessage::kChunk:
+    case v1::ClientMessage::kMediaFailed:
+      if (!visit->desk) return hang_up(visit, "message out of order");
+      return take_media(visit, message);
     case v1::ClientMessage::kChangePassword:
       return change_password(visit, message.change_password());
     case v1::ClientMessage::kHello:
     case v1::ClientMessage::kLogin:
     case v1::ClientMessage::kResume:
-    case v1::ClientMessage::kChunk:
-    case v1::ClientMessage::kMediaFailed:
     case v1::ClientMessage::WHAT_NOT_SET:
       return hang_up(visit, "message out of order");
   }
@@ -151,8 +154,10 @@ void Lab::poll() {
     return all;
   }();
   for (const DeskPtr& desk : desks) {
-    if (panel::Outcome followed = desk->control.poll(now(*desk)); followed.store || followed.mode_changed)
+    if (panel::Outcome followed = desk->control.poll(now(*desk)); followed.is_anything())
       outcome(desk, std::move(followed), 0);
+    watch_media(desk, now_ns);
+    watch_recorder(desk);
     record_run(desk);
     if (!desk->is_seated() && now_ns >= desk->keep_until_ns) dismiss(desk);
     if (now_ns - desk->last_saved_ns >= 10 * kSecond_ns) save_state(desk);

@@ -88,7 +88,11 @@ struct CarryOut {
 }  // namespace
 
 StoredControl read_control(db::Database& database, db::PersonId person) {
-  return {database.programs(person), database.machine_data(person), database.control_state(person)};
+  StoredControl control{database.programs(person), database.machine_data(person), database.control_state(person), {}};
+  control.cassettes.list = database.cassettes(person);
+  for (const db::StoredCassette& cassette : control.cassettes.list)
+    if (cassette.is_inserted) control.cassettes.tape = database.tape(person, cassette.id);
+  return control;
 }
 
 panel::Memory memory_of(const std::vector<db::StoredProgram>& programs, int memory_bytes) {

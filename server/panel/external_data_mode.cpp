@@ -30,9 +30,10 @@ bool is_fitted(Device device, const ControlState& state) {
     case Device::disk_in:
       return state.has_media;
     case Device::printer:
+      return (state.has_media || state.has_printer) && is_3300;  // MODEL-004
     case Device::tape_out:
     case Device::tape_in:
-      return state.has_media && is_3300;  // MODEL-004, MODEL-005
+      return state.has_media && is_3300;  // MODEL-005
     case Device::computer_out:
     case Device::computer_in:
       return false;  // D-109
