@@ -96,6 +96,8 @@ class Lab {
   void keep_house(std::int64_t now_ns);
   [[nodiscard]] std::string say(language::Tongue tongue, const char* german, const char* english) const;
   [[nodiscard]] language::Tongue tongue_of(const db::Person& person) const;
+  /// What the screen that wanted to store says (STO-009).
+  [[nodiscard]] static std::string sentence_for(const db::StoreError& error, language::Tongue tongue);
 
   // lab_login.cpp
   void greet(const VisitPtr& visit, const v1::ClientMessage& message);
