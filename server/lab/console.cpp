@@ -97,6 +97,7 @@ void Console::answer(const std::shared_ptr<Visit>& visit, const v1::InstructorRe
     case R::kBackup:
       return backup(reply);
     case R::kRemote:
+      return remote(reply, request.remote());
     case R::WHAT_NOT_SET:
       return send_error(reply, lab_.say(reply.tongue, "Diesen Befehl kennt der Server nicht.",
                                         "This server does not know that command."));

@@ -56,6 +56,7 @@ Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& tic
       channel_(std::make_shared<machine::Channel>(machine_, machine_data_)),
       recorder_(store, channel_, RunRecorder::Keeps::trace) {
   if (!ticks_.add(channel_)) throw std::runtime_error("the tick has no place for the lab's machine");
+  remote_.fill(configuration_.remote);
   keep_epoch();
   write_journal("server_start", "nobody has control, position unreferenced");  // AUTH-012
 }
@@ -139,12 +140,14 @@ void Lab::poll() {
     return all;
   }();
   for (const DeskPtr& desk : desks) {
-    if (panel::Outcome followed = desk->control.poll(now(*desk)); followed.store || followed.mode_changed)
+    panel::Outcome followed = desk->control.poll(now(*desk));
+    if (followed.store || followed.mode_changed || followed.remote_start || !followed.line_news.empty())
       outcome(desk, std::move(followed), 0);
     record_run(desk);
     if (!desk->is_seated() && now_ns >= desk->keep_until_ns) dismiss(desk);
     if (now_ns - desk->last_saved_ns >= 10 * kSecond_ns) save_state(desk);
   }
+  follow_lines(now_ns);
   draw_due(now_ns);
   watch_connections(now_ns);
   if (now_ns - journal_flushed_ns_ >= kSecond_ns / 5) flush_journal();
