@@ -81,6 +81,7 @@ class Query {
   void bind(int index, std::uint64_t value) { bind(index, static_cast<std::int64_t>(value)); }
   void bind(int index, bool value) { bind(index, std::int64_t{value}); }
   void bind(int index, PersonId value) { bind(index, static_cast<std::int64_t>(value)); }
+  void bind(int index, CassetteId value) { bind(index, static_cast<std::int64_t>(value)); }
   void bind(int index, double value);
   void bind(int index, const std::string& value);
   void bind(int index, const char* value) { bind(index, std::string(value)); }

@@ -5,6 +5,7 @@
 #include <expected>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -40,6 +41,7 @@ class Database {
   /// Returns the new id; nothing when the name exists (also archived).
   std::optional<PersonId> add_person(const Person& person, std::int64_t now_ms);
   void set_password(PersonId id, const std::string& hash, bool must_change);
+  void set_language(PersonId id, const std::string& language);  ///< "de", "en", "" for the lab's
   void set_last_seen(PersonId id, std::int64_t now_ms);
   void archive(PersonId id, std::int64_t now_ms);
   void unarchive(PersonId id);
@@ -68,10 +70,26 @@ class Database {
   // Machine data (person 0: the lab machine)
   [[nodiscard]] std::vector<StoredDatum> machine_data(PersonId id);
   void put_machine_datum(PersonId id, const StoredDatum& datum, const Author& author);
+  /// Oldest first. What one author stored at one time is one version.
+  [[nodiscard]] std::vector<DataVersion> machine_data_versions(PersonId id);
+  /// The values by their numbers as a version left them, 0: before the first change; nothing where there is no such
+  /// version. A number that is missing has its default.
+  [[nodiscard]] std::optional<std::map<int, std::int64_t>> machine_data_at(PersonId id, int version);
 
   // A control between two logins
   [[nodiscard]] std::string control_state(PersonId id);  ///< "" where none was kept
   void put_control_state(PersonId id, const std::string& state, std::int64_t now_ms);
+
+  // Cassettes (DEC-33). What belongs to another person is as good as not there.
+  [[nodiscard]] std::vector<StoredCassette> cassettes(PersonId id);  ///< by name
+  /// Nothing where the name is taken, or kMostCassettes are there.
+  std::optional<CassetteId> add_cassette(PersonId id, const std::string& name, const std::string& tape,
+                                         std::int64_t now_ms);
+  [[nodiscard]] std::optional<std::string> tape(PersonId id, CassetteId cassette);
+  void put_tape(PersonId id, CassetteId cassette, const std::string& tape, std::int64_t now_ms);
+  void insert_cassette(PersonId id, std::optional<CassetteId> cassette);            ///< nothing: the recorder is empty
+  bool rename_cassette(PersonId id, CassetteId cassette, const std::string& name);  ///< false: the name is taken
+  void remove_cassette(PersonId id, CassetteId cassette);
 
   // Journal
   void add_journal(const std::vector<JournalEntry>& entries);

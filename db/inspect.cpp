@@ -34,7 +34,7 @@ OpenError damaged(const std::filesystem::path& file, const std::string& finding)
   return {OpenError::Kind::damaged,
           file.string() + ": the database is damaged (" + finding +
               "). It was left as it is. Restore a backup: cnclab-server --restore BACKUP --data " +
-              file.parent_path().string()};
+              (file.has_parent_path() ? file.parent_path().string() : ".")};
 }
 
 OpenError foreign(const std::filesystem::path& file) {

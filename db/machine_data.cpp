@@ -2,6 +2,14 @@
 #include "db/statements.hpp"
 
 namespace cnclab::db {
+namespace {
+
+bool is_of(const DataVersion& version, const Author& author) {
+  return version.author.time_ms == author.time_ms && version.author.name == author.name &&
+         version.author.station == author.station;
+}
+
+}  // namespace
 
 std::vector<StoredDatum> Database::machine_data(PersonId id) {
   Query query(*statements_, "SELECT number, value, check_code FROM machine_datum WHERE person_id = ?1 ORDER BY number",
@@ -26,6 +34,39 @@ void Database::put_machine_datum(PersonId id, const StoredDatum& datum, const Au
           id, datum.number, datum.value, datum.check_code)
         .run();
   });
+}
+
+std::vector<DataVersion> Database::machine_data_versions(PersonId id) {
+  Query query(*statements_,
+              "SELECT number, by_whom, station, time_ms FROM machine_datum_change WHERE person_id = ?1 ORDER BY id",
+              id);
+  std::vector<DataVersion> versions;
+  while (query.next()) {
+    const Author author{query.text(1), query.small(2), query.integer(3)};
+    if (versions.empty() || !is_of(versions.back(), author))
+      versions.push_back({static_cast<int>(versions.size()) + 1, {}, author});
+    versions.back().numbers.push_back(query.small(0));
+  }
+  return versions;
+}
+
+std::optional<std::map<int, std::int64_t>> Database::machine_data_at(PersonId id, int version) {
+  const std::vector<DataVersion> versions = machine_data_versions(id);
+  if (version < 0 || version > static_cast<int>(versions.size())) return std::nullopt;
+  std::map<int, std::int64_t> values;
+  for (const StoredDatum& datum : machine_data(id)) values[datum.number] = datum.value;
+  std::size_t later = 0;  // changes that the version does not hold yet
+  for (const DataVersion& change : versions)
+    if (change.version > version) later += change.numbers.size();
+  Query query(*statements_, "SELECT number, before FROM machine_datum_change WHERE person_id = ?1 ORDER BY id DESC",
+              id);
+  for (; later > 0 && query.next(); --later) {
+    if (query.is_null(1))
+      values.erase(query.small(0));
+    else
+      values[query.small(0)] = query.integer(1);
+  }
+  return values;
 }
 
 }  // namespace cnclab::db

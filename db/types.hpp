@@ -53,10 +53,29 @@ struct ProgramVersion {
   Author author{};
 };
 
+/// Machine data that were changed together, in the list of their versions.
+struct DataVersion {
+  int version = 0;  ///< 1, 2, 3 …; 0 is the state before the first change
+  std::vector<int> numbers{};
+  Author author{};
+};
+
 struct StoredDatum {
   int number = 0;
   std::int64_t value = 0;
   std::uint32_t check_code = 0;
+};
+
+enum class CassetteId : std::int64_t {};
+inline constexpr int kMostCassettes = 10;  ///< of one person (DEC-33)
+
+/// A cassette in the list of a person's; the tape itself is read apart.
+struct StoredCassette {
+  CassetteId id{};
+  std::string name{};
+  bool is_inserted = false;  ///< it lies in the recorder
+  std::int64_t changed_ms = 0;
+  std::size_t bytes = 0;  ///< of the tape
 };
 
 struct JournalEntry {

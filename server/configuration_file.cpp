@@ -72,16 +72,16 @@ ConfigKey switch_key(std::string_view section, std::string_view name, bool Confi
 }
 
 ConfigKey list_key(std::string_view section, std::string_view name, std::vector<int> Configuration::* member,
-                   std::string_view comment, int least, int most) {
+                   std::string_view comment, const std::vector<int>& allowed) {
   return {section, name, comment,
           [=](const toml::node& node, Configuration& to) -> std::string {
-            const std::string right = fmt::format("a list of numbers from {} to {}", least, most);
+            const std::string right = fmt::format("a list of these numbers: {}", fmt::join(allowed, ", "));
             const toml::array* array = node.as_array();
             if (array == nullptr) return right;
             std::vector<int> values;
             for (const auto& item : *array) {
               const auto value = item.value_exact<std::int64_t>();
-              if (!value || *value < least || *value > most) return right;
+              if (!value || std::ranges::find(allowed, *value) == allowed.end()) return right;
               values.push_back(static_cast<int>(*value));
             }
             to.*member = values;
@@ -177,12 +177,13 @@ const std::vector<ConfigKey>& keys() {
                {"rebuilt", "original"}),
       switch_key("control", "remote", &C::remote, "the REMOTE switch at the back"),
       switch_key("control", "keys_19inch", &C::keys_19inch, "memory test with 1+4+7 instead of 3+6+9"),
-      list_key("control", "io_cards", &C::io_cards, "I/O cards fitted", 1, 3),
+      list_key("control", "io_cards", &C::io_cards, "I/O cards fitted", {1, 2, 3}),
       text_key("machine", "kind", &C::kind, "the lab's machine", {"simulated"}),
       switch_key("machine", "require_reference", &C::require_reference, "unreferenced only HAND and REFERENZ"),
       switch_key("machine", "tool_list", &C::tool_list, "tools must agree with the instructor's list"),
       list_key("machine", "outputs_off_at_power_off", &C::outputs_off_at_power_off,
-               "outputs (11-18, 21-28) that power-off resets", 11, 28),
+               "outputs (11-18, 21-28) that power-off resets",
+               {11, 12, 13, 14, 15, 16, 17, 18, 21, 22, 23, 24, 25, 26, 27, 28}),
       size_key(),
       cell_key(),
       text_key("dnc", "listen", &C::dnc_listen, "TCP address of the serial line, empty = off"),

@@ -62,7 +62,7 @@ std::string_view name_of(Key key) {
 
 std::optional<Key> key_of(std::string_view name) {
   if (name.empty()) return std::nullopt;
-  const auto* const found = std::find(kNames.begin(), kNames.end(), name);
+  const auto* const found = std::ranges::find(kNames, name);
   if (found == kNames.end()) return std::nullopt;
   return static_cast<Key>(found - kNames.begin());
 }
@@ -72,7 +72,7 @@ std::vector<Key> keys_of(std::string_view chord) {
   for (std::size_t start = 0; start <= chord.size();) {
     const std::size_t end = std::min(chord.find('+', start), chord.size());
     const auto key = key_of(chord.substr(start, end - start));
-    if (!key || std::find(keys.begin(), keys.end(), *key) != keys.end()) return {};
+    if (!key || std::ranges::find(keys, *key) != keys.end()) return {};
     keys.push_back(*key);
     start = end + 1;
   }

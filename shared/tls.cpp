@@ -18,11 +18,11 @@ namespace {
 
 namespace ssl = boost::asio::ssl;
 
-template <auto Free>
+template <auto free_it>
 struct Freed {
   template <class T>
   void operator()(T* pointer) const {
-    Free(pointer);
+    free_it(pointer);
   }
 };
 using KeyPtr = std::unique_ptr<EVP_PKEY, Freed<EVP_PKEY_free>>;
@@ -30,7 +30,7 @@ using X509Ptr = std::unique_ptr<X509, Freed<X509_free>>;
 using BioPtr = std::unique_ptr<BIO, Freed<BIO_free_all>>;
 
 constexpr long kDay_s = 24L * 60 * 60;
-constexpr long kValid_s = 20 * 365 * kDay_s + 5 * kDay_s;
+constexpr long kValid_s = (20L * 365 + 5) * kDay_s;
 
 std::string openssl_reason() {
   std::array<char, 256> text{};
@@ -68,7 +68,7 @@ std::expected<std::string, std::string> fingerprint(const X509* certificate) {
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
   unsigned int length = 0;
   if (X509_digest(certificate, EVP_sha256(), digest.data(), &length) != 1) return std::unexpected(openssl_reason());
-  std::array<unsigned char, 2 * EVP_MAX_MD_SIZE> base64{};
+  std::array<unsigned char, 2UL * EVP_MAX_MD_SIZE> base64{};
   const int characters = EVP_EncodeBlock(base64.data(), digest.data(), static_cast<int>(length));
   std::string text(base64.begin(), base64.begin() + characters);
   text.erase(text.find_last_not_of('=') + 1);

@@ -90,8 +90,7 @@ char braille_likeness(char32_t code) {
 char32_t ascii_likeness(char32_t code) {
   if (code < 0x7F) return code;
   if (code >= 0x2800 && code < 0x2900) return static_cast<char32_t>(braille_likeness(code));
-  const auto* const found = std::find_if(kLikenesses.begin(), kLikenesses.end(),
-                                         [&](const auto& likeness) { return likeness.first == code; });
+  const auto* const found = std::ranges::find(kLikenesses, code, [](const auto& likeness) { return likeness.first; });
   return found == kLikenesses.end() ? U'?' : static_cast<char32_t>(found->second);
 }
 

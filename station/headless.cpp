@@ -55,11 +55,20 @@ bool contains(const Screen& screen, const std::string& text) {
 
 asio::awaitable<Ending> Headless::run(LineReader& lines) {
   using asio::experimental::awaitable_operators::operator||;
-  auto first = co_await (session_.run() || obey_all(lines));
+  auto first = co_await (session_.run() || obey_all(lines) || answer_password_questions());
   const auto* const ending = std::get_if<0>(&first);
   if (ending == nullptr) co_return Ending{ExitCode::ended_by_user, ""};
   if (owes_reply_) output_("error " + printable(ending->text) + '\n');
   co_return *ending;
+}
+
+asio::awaitable<void> Headless::answer_password_questions() {
+  for (;;) {
+    co_await changed_.wait_until(Clock::time_point::max());
+    if (!session_.take_password_question() || !change_) continue;
+    session_.change_password(change_->old_password, change_->new_password);
+    change_.reset();
+  }
 }
 
 asio::awaitable<void> Headless::obey_all(LineReader& lines) {

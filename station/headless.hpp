@@ -3,6 +3,7 @@
 
 #include <boost/asio/awaitable.hpp>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "station/broadcast.hpp"
@@ -24,14 +25,25 @@ class Headless {
   /// Writes a reply, newline included, and flushes; false when nobody reads any more.
   using Output = std::function<bool(const std::string&)>;
 
-  Headless(Session& session, Broadcast& changed, bool is_ascii, Output output)
-      : session_(session), changed_(changed), is_ascii_(is_ascii), output_(std::move(output)) {}
+  /// Old and new password, with which a wish for a new one is answered (key LABOR); nothing: it is passed over.
+  struct PasswordChange {
+    std::string old_password, new_password;
+  };
+
+  Headless(Session& session, Broadcast& changed, bool is_ascii, Output output,
+           std::optional<PasswordChange> change = std::nullopt)
+      : session_(session),
+        changed_(changed),
+        is_ascii_(is_ascii),
+        output_(std::move(output)),
+        change_(std::move(change)) {}
 
   /// Converses with `lines` until `quit`, the end of the input or the end of the session.
   [[nodiscard]] boost::asio::awaitable<Ending> run(LineReader& lines);
 
  private:
   boost::asio::awaitable<void> obey_all(LineReader& lines);
+  boost::asio::awaitable<void> answer_password_questions();
   boost::asio::awaitable<std::string> reply_to(HeadlessCommand command);
   boost::asio::awaitable<std::string> press(std::vector<Chord> chords);
   boost::asio::awaitable<std::string> hold(HoldCommand command);
@@ -44,6 +56,7 @@ class Headless {
   Broadcast& changed_;
   bool is_ascii_;
   Output output_;
+  std::optional<PasswordChange> change_;
   bool owes_reply_ = false;
 };
 

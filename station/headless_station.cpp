@@ -64,16 +64,23 @@ asio::awaitable<Ending> run_headless(Options options, int input, int output, std
   const auto executor = co_await asio::this_coro::executor;
   auto credentials = first_credentials(options);
   if (!credentials) co_return credentials.error();
+  const Credentials given = *credentials;
   auto login = co_await log_in_unasked(options.door(), std::move(*credentials));
   if (!login) co_return login.error();
-  const auto relogin = [options, has_new_password = login->has_new_password](v1::LoginAnswer why) {
-    return log_in_again(options, has_new_password, std::move(why));
+  const bool was_forced = login->has_new_password;
+  const Session* begun = nullptr;
+  const auto relogin = [&](v1::LoginAnswer why) {
+    return log_in_again(options, was_forced || begun->has_new_password(), std::move(why));
   };
+  std::optional<Headless::PasswordChange> change;
+  if (given.new_password && !was_forced) change = {given.password, *given.new_password};
   Broadcast changed(executor);
   Session session(options.door(), std::move(*login), changed, relogin, pace);
+  begun = &session;
   LineReader lines(executor, input);
-  Headless headless(session, changed, options.is_ascii,
-                    [output](const std::string& reply) { return write_whole(output, reply); });
+  Headless headless(
+      session, changed, options.is_ascii, [output](const std::string& reply) { return write_whole(output, reply); },
+      std::move(change));
   leave = [&session] { session.log_out(); };
   Ending ending = co_await headless.run(lines);
   leave = nullptr;

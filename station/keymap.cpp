@@ -185,8 +185,8 @@ std::span<const Binding> keymap() {
 
 const Binding* binding_of(const Input& input) {
   const auto bindings = keymap();
-  const auto found = std::find_if(bindings.begin(), bindings.end(), [&](const Binding& binding) {
-    return std::find(binding.inputs.begin(), binding.inputs.end(), input) != binding.inputs.end();
+  const auto found = std::ranges::find_if(bindings, [&](const Binding& binding) {
+    return std::ranges::find(binding.inputs, input) != binding.inputs.end();
   });
   return found == bindings.end() ? nullptr : &*found;
 }

@@ -19,7 +19,7 @@ LineReader::LineReader(const asio::any_io_executor& executor, int descriptor) : 
   struct stat kind{};
   boost::system::error_code error;
   // epoll takes pipes, sockets and terminals, but no files; Asio tells so only when it is too late.
-  if (::fstat(own, &kind) != 0 || !S_ISREG(kind.st_mode)) stream_.assign(own, error);
+  if (own < 0 || ::fstat(own, &kind) != 0 || !S_ISREG(kind.st_mode)) stream_.assign(own, error);
   if (!stream_.is_open()) file_ = own;
 }
 

@@ -60,13 +60,14 @@ std::expected<LoggedIn, LoginFailure> judged(Client client, std::expected<v1::Lo
   return LoggedIn{std::move(client), std::move(*answer)};
 }
 
-v1::ClientMessage login_message(const Credentials& credentials) {
+v1::ClientMessage login_message(const Credentials& credentials, bool has_media) {
   v1::ClientMessage message;
   v1::Login& login = *message.mutable_login();
   login.set_user(credentials.user);
   login.set_password(credentials.password);
   login.set_station(credentials.station);
   login.set_elsewhere(credentials.elsewhere);
+  login.set_has_media(has_media);
   return message;
 }
 
@@ -76,7 +77,7 @@ asio::awaitable<std::expected<LoggedIn, LoginFailure>> attempt_login(Door door, 
   auto client = co_await Client::connect(door.address, door.trust, door.kind);
   if (!client) co_return std::unexpected(LoginFailure(std::move(client.error())));
   try {
-    const v1::ClientMessage login = login_message(credentials);
+    const v1::ClientMessage login = login_message(credentials, door.media.has_value());
     auto answer = co_await ask_in_time(*client, login);
     bool is_changed = false;
     if (answer && answer->result() == v1::LOGIN_RESULT_PASSWORD_EXPIRED && credentials.new_password) {
@@ -99,6 +100,7 @@ asio::awaitable<std::expected<LoggedIn, LoginFailure>> attempt_resume(Door door,
   try {
     v1::ClientMessage resume;
     resume.mutable_resume()->set_ticket(ticket);
+    resume.mutable_resume()->set_has_media(door.media.has_value());
     auto answer = co_await ask_in_time(*client, resume);
     co_return judged(std::move(*client), std::move(answer));
   } catch (const boost::system::system_error&) {

@@ -14,6 +14,7 @@
 
 #include "station/client.hpp"
 #include "station/language.hpp"
+#include "station/media_folder.hpp"
 
 namespace cnclab::station {
 
@@ -25,6 +26,7 @@ struct Door {
   Address address;
   Trust trust;
   v1::ClientKind kind = v1::CLIENT_KIND_STATION;
+  std::optional<MediaPlace> media = {};  ///< for the files of EXTERNE DATEN; nothing: there are none here
 };
 
 struct Credentials {

@@ -66,6 +66,7 @@ asio::awaitable<void> Monitor::run(const bool& is_form_open) {
           click(std::get<Click>(*event));
         }
       }
+      follow_password();
       release_due();
       sound();
       draw();
@@ -80,6 +81,8 @@ void Monitor::handle(const Input& input) {
       return handle_in_help(input);
     case View::log_out_question:
       return handle_question(input);
+    case View::new_password:
+      return handle_password(input);
     case View::monitor:
       break;
   }
@@ -126,7 +129,40 @@ void Monitor::handle_question(const Input& input) {
   has_ended_ = session_.is_lost();
 }
 
+// Letters are the password's; F12 still halts the machine.
+void Monitor::handle_password(const Input& input) {
+  switch (password_.handle(input, session_.language())) {
+    case PasswordForm::State::editing:
+      if (std::holds_alternative<Special>(input)) press_urgent(input);
+      return;
+    case PasswordForm::State::submitted:
+      return session_.change_password(password_.old_password(), password_.new_password());
+    case PasswordForm::State::cancelled:
+      view_ = View::monitor;
+      password_ = PasswordForm();
+      return;
+  }
+}
+
+// Opens where the server asks, closes with its consent; a refusal stands there with the fields empty again.
+void Monitor::follow_password() {
+  if (session_.take_password_question()) {
+    view_ = View::new_password;
+    password_ = PasswordForm();
+  }
+  const auto answer = session_.take_password_answer();
+  const bool is_open = view_ == View::new_password;
+  if (session_.is_lost() && is_open) view_ = View::monitor;
+  if (!answer || !is_open) return;
+  password_ = PasswordForm();
+  if (answer->result() == v1::LOGIN_RESULT_OK)
+    view_ = View::monitor;
+  else
+    password_.say(refusal_text(*answer, session_.language()));
+}
+
 void Monitor::click(const Click& click) {
+  if (view_ == View::new_password) return;
   if (view_ != View::monitor || !session_.may_press()) {
     view_ = View::monitor;
     return;
@@ -203,6 +239,7 @@ Screen Monitor::shown() const {
     const auto since = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - session_.lost_since());
     screen = with_lost_line(screen, since, session_.trouble(), language);
   }
+  if (view_ == View::new_password) return password_.over(screen, language);
   return view_ == View::log_out_question ? with_log_out_question(screen, language) : screen;
 }
 

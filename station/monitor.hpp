@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "station/keyboard_view.hpp"
+#include "station/password_form.hpp"
 #include "station/session.hpp"
 #include "station/terminal.hpp"
 #include "station/terminal_events.hpp"
@@ -26,7 +27,7 @@ class Monitor {
   [[nodiscard]] boost::asio::awaitable<void> run(const bool& is_form_open);
 
  private:
-  enum class View : std::uint8_t { monitor, help, log_out_question };
+  enum class View : std::uint8_t { monitor, help, log_out_question, new_password };
   struct Release {
     Clock::time_point due;
     std::vector<Key> keys;
@@ -34,6 +35,8 @@ class Monitor {
   void handle(const Input& input);
   void handle_in_help(const Input& input);
   void handle_question(const Input& input);
+  void handle_password(const Input& input);
+  void follow_password();
   void click(const Click& click);
   void act(const Binding& binding, bool is_repeat);
   void press(const Press& press, bool is_repeat);
@@ -53,6 +56,7 @@ class Monitor {
   Session& session_;
   View view_ = View::monitor;
   std::size_t help_start_ = 0;
+  PasswordForm password_;
   std::vector<Release> releases_;
   const Binding* lit_ = nullptr;
   Clock::time_point lit_until_{}, next_tone_{}, last_input_time_{};

@@ -27,7 +27,9 @@ void declare(CLI::App& app, Raw& raw) {
   app.add_option("--password-file", raw.password_file, "first line is the password; otherwise asked for");
   app.add_option("--new-password-file", raw.new_password_file, "answers a forced password change");
   app.add_option("--fingerprint", raw.fingerprint, "the server's certificate, SHA256:…; otherwise pinned on first use");
-  app.add_option("--media", raw.media, "folder of the tapes and diskettes of EXTERNE DATEN")
+  app.add_option("--media", raw.media,
+                 "folder of the tapes, diskettes and printed pages; by default one of each student's own below\n"
+                 "$XDG_DATA_HOME/cnclab/media (~/.local/share/cnclab/media)")
       ->check(CLI::ExistingDirectory);
   app.add_option("--observe", raw.observe, "look at station N (instructors and observers)")
       ->check(CLI::Range(1, 15))
@@ -58,7 +60,10 @@ std::expected<Options, Ending> checked(const Raw& raw) {
   if (raw.user.size() > 32) return usage("--user: at most 32 bytes");
   options.password_file = path_or_none(raw.password_file);
   options.new_password_file = path_or_none(raw.new_password_file);
-  options.media = path_or_none(raw.media);
+  if (!raw.media.empty())
+    options.media = MediaPlace{raw.media, false};
+  else if (const auto folder = default_media_folder(); !folder.empty())
+    options.media = MediaPlace{folder, true};
   if (!raw.fingerprint.empty()) {
     if (!is_fingerprint(raw.fingerprint)) {
       return usage("--fingerprint: SHA256: and 43 characters, as the server prints it at its start");
@@ -77,7 +82,10 @@ std::expected<Options, Ending> checked(const Raw& raw) {
 
 }  // namespace
 
-Door Options::door() const { return {server, trust, observe ? v1::CLIENT_KIND_OBSERVER : v1::CLIENT_KIND_STATION}; }
+Door Options::door() const {
+  if (observe) return {server, trust, v1::CLIENT_KIND_OBSERVER};
+  return {server, trust, v1::CLIENT_KIND_STATION, media};
+}
 
 std::uint32_t Options::seat() const {
   const auto& named = observe ? observe : station;

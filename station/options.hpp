@@ -15,7 +15,8 @@ struct Options {
   Address server;
   std::optional<StationId> station, observe;
   std::string user;  ///< empty: asked for
-  std::optional<std::filesystem::path> password_file, new_password_file, media;
+  std::optional<std::filesystem::path> password_file, new_password_file;
+  std::optional<MediaPlace> media;  ///< of --media, else the default place where there is one
   Trust trust;
   v1::Elsewhere elsewhere = v1::ELSEWHERE_UNSPECIFIED;
   bool is_ascii = false, is_headless = false;

@@ -41,6 +41,8 @@ void Session::begin(LoggedIn login) {
   client_ = std::move(login.client);
   ticket_ = login.answer.ticket();
   language_ = language_named(login.answer.language().empty() ? client_.welcome().language() : login.answer.language());
+  media_.reset();
+  if (door_.media && may_press()) media_.emplace(*door_.media, login.answer.user());
   screen_ = Screen();
   last_number_ = handled_key_ = last_beat_ = state_ = 0;
   outgoing_.clear();
@@ -60,7 +62,8 @@ asio::awaitable<Ending> Session::run() {
 
 void Session::lose() {
   client_.close();
-  is_connected_ = is_online_ = has_alarm_tone_ = false;
+  media_.reset();  // what was half written goes: the server asks again
+  is_connected_ = is_online_ = has_alarm_tone_ = is_password_wanted_ = false;
   lost_since_ = Clock::now();
   outgoing_.clear();
   ++connection_;
@@ -80,28 +83,40 @@ asio::awaitable<std::optional<Ending>> Session::read_all() {
     for (;;) {
       const v1::ServerMessage message = co_await client_.read();
       last_received_ = Clock::now();
-      switch (message.what_case()) {
-        case v1::ServerMessage::kScreen:
-          apply(message.screen());
-          break;
-        case v1::ServerMessage::kBeat:
-          last_beat_ = message.beat().number();
-          queue_alive();
-          break;
-        case v1::ServerMessage::kBye:
-          co_return ending_of(message.bye().exit_code(), message.bye().text(), language_);
-        case v1::ServerMessage::kWelcome:
-        case v1::ServerMessage::kLogin:
-        case v1::ServerMessage::kAnswer:
-        case v1::ServerMessage::kChunk:
-        case v1::ServerMessage::kChunkAck:
-        case v1::ServerMessage::WHAT_NOT_SET:
-          break;  // nothing for a terminal
-      }
+      if (message.has_bye()) co_return ending_of(message.bye().exit_code(), message.bye().text(), language_);
+      take(message);
     }
   } catch (const system_error&) {
+    co_return std::nullopt;
   }
-  co_return std::nullopt;
+}
+
+void Session::take(const v1::ServerMessage& message) {
+  switch (message.what_case()) {
+    case v1::ServerMessage::kScreen:
+      return apply(message.screen());
+    case v1::ServerMessage::kBeat:
+      last_beat_ = message.beat().number();
+      return queue_alive();
+    case v1::ServerMessage::kAskPassword:
+      is_password_wanted_ = true;
+      return changed_.notify();
+    case v1::ServerMessage::kLogin:
+      return take_answer(message.login());
+    case v1::ServerMessage::kLanguageChosen:
+      language_ = language_named(message.language_chosen().language());
+      return changed_.notify();
+    case v1::ServerMessage::kPutMedia:
+    case v1::ServerMessage::kGetMedia:
+    case v1::ServerMessage::kChunk:
+    case v1::ServerMessage::kChunkAck:
+      return take_media(message);
+    case v1::ServerMessage::kWelcome:
+    case v1::ServerMessage::kBye:
+    case v1::ServerMessage::kAnswer:
+    case v1::ServerMessage::WHAT_NOT_SET:
+      return;  // nothing for a terminal
+  }
 }
 
 void Session::apply(const v1::ScreenUpdate& update) {
@@ -119,17 +134,29 @@ void Session::apply(const v1::ScreenUpdate& update) {
   changed_.notify();
 }
 
+void Session::take_answer(const v1::LoginAnswer& answer) {
+  has_new_password_ = has_new_password_ || answer.result() == v1::LOGIN_RESULT_OK;
+  password_answer_ = answer;
+  changed_.notify();
+}
+
+void Session::take_media(const v1::ServerMessage& message) {
+  if (!media_) return;
+  if (auto answer = media_->take(message)) queue(std::move(*answer));
+}
+
 asio::awaitable<void> Session::write_all() {
-  try {
-    for (;;) {
+  for (bool is_open = true; is_open;) {
+    try {
       while (!outgoing_.empty()) {
         const v1::ClientMessage message = std::move(outgoing_.front());
         outgoing_.pop_front();
         co_await client_.write(message);
       }
       co_await to_write_.wait_until(Clock::time_point::max());
+    } catch (const system_error&) {
+      is_open = false;
     }
-  } catch (const system_error&) {
   }
   // The reader finds out why: a Bye may still stand in the line.
   co_await to_write_.wait_until(Clock::now() + pace_.silence);
@@ -190,6 +217,17 @@ asio::awaitable<std::optional<Ending>> Session::log_in_anew(v1::LoginAnswer why)
 }
 
 std::uint32_t Session::take_beeps() { return std::exchange(beeps_, 0); }
+
+bool Session::take_password_question() { return std::exchange(is_password_wanted_, false); }
+
+std::optional<v1::LoginAnswer> Session::take_password_answer() { return std::exchange(password_answer_, std::nullopt); }
+
+void Session::change_password(const std::string& old_password, const std::string& new_password) {
+  v1::ClientMessage message;
+  message.mutable_change_password()->set_old_password(old_password);
+  message.mutable_change_password()->set_new_password(new_password);
+  queue(std::move(message));
+}
 
 std::optional<std::uint64_t> Session::send_keys(std::span<const Key> keys, bool pressed, bool is_repeat) {
   if (!is_online_ || !may_press()) return std::nullopt;

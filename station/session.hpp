@@ -14,10 +14,12 @@
 #include "shared/screen.hpp"
 #include "station/broadcast.hpp"
 #include "station/login.hpp"
+#include "station/media_drive.hpp"
 
 namespace cnclab::v1 {
 class ClientMessage;
 class ScreenUpdate;
+class ServerMessage;
 class Seen;
 }  // namespace cnclab::v1
 
@@ -64,6 +66,12 @@ class Session {
   [[nodiscard]] bool has_alarm_tone() const { return has_alarm_tone_; }
   /// Short tones since the last call.
   [[nodiscard]] std::uint32_t take_beeps();
+  /// The user has chosen a new password in the lab's menu: ask for it, then `change_password`. True once.
+  [[nodiscard]] bool take_password_question();
+  /// The server's answer to `change_password`, once.
+  [[nodiscard]] std::optional<v1::LoginAnswer> take_password_answer();
+  /// A password was changed within this session: the one it began with holds no more.
+  [[nodiscard]] bool has_new_password() const { return has_new_password_; }
   /// Why the last attempt to come back failed; empty at first.
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
 
@@ -71,6 +79,7 @@ class Session {
   std::optional<std::uint64_t> send_keys(std::span<const Key> keys, bool pressed, bool is_repeat = false);
   /// The potentiometer at 0..100 %.
   std::optional<std::uint64_t> send_potentiometer(std::uint32_t percent);
+  void change_password(const std::string& old_password, const std::string& new_password);
   /// Asks the server to end; `run` returns soon after.
   void log_out();
 
@@ -84,7 +93,10 @@ class Session {
   boost::asio::awaitable<std::optional<Ending>> log_in_anew(v1::LoginAnswer why);
   void begin(LoggedIn login);
   void apply(const v1::ScreenUpdate& update);
+  void take(const v1::ServerMessage& message);
+  void take_answer(const v1::LoginAnswer& answer);
   void lose();
+  void take_media(const v1::ServerMessage& message);
   void queue(v1::ClientMessage message);
   void queue_alive();
   void fill_seen(v1::Seen& seen) const;
@@ -98,9 +110,12 @@ class Session {
   Language language_ = Language::german;
   Screen screen_;
   bool is_connected_ = true, is_online_ = false, has_alarm_tone_ = false, is_logging_out_ = false;
+  bool is_password_wanted_ = false, has_new_password_ = false;
+  std::optional<v1::LoginAnswer> password_answer_;
   std::uint64_t last_number_ = 0, handled_key_ = 0, last_beat_ = 0, state_ = 0, connection_ = 1;
   std::uint32_t beeps_ = 0;
   Clock::time_point lost_since_{}, last_received_{}, last_alive_{}, log_out_limit_{};
+  std::optional<MediaDrive> media_;
   std::deque<v1::ClientMessage> outgoing_;
   Broadcast to_write_;
 };

@@ -108,8 +108,15 @@ asio::awaitable<std::expected<LoggedIn, Ending>> log_in_here(Desk& desk, std::op
 asio::awaitable<Ending> sit(Desk& desk, std::function<void()>& leave) {
   auto login = co_await log_in_here(desk, std::nullopt);
   if (!login) co_return login.error();
-  Session session(desk.options.door(), std::move(*login), desk.changed,
-                  [&desk](v1::LoginAnswer why) { return log_in_here(desk, std::move(why)); });
+  const Session* begun = nullptr;
+  Session session(desk.options.door(), std::move(*login), desk.changed, [&desk, &begun](v1::LoginAnswer why) {
+    if (begun->has_new_password()) {  // the files hold what was before
+      desk.options.password_file.reset();
+      desk.options.new_password_file.reset();
+    }
+    return log_in_here(desk, std::move(why));
+  });
+  begun = &session;
   leave = [&session] { session.log_out(); };
   Monitor monitor(desk.terminal, desk.events, desk.changed, session);
   auto first = co_await (session.run() || monitor.run(desk.is_form_open));

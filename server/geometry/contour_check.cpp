@@ -70,6 +70,12 @@ void ContourCheck::end() {
   }
 }
 
+void ContourCheck::split() {
+  if (!is_open_) return;
+  end();
+  begin(plane_, radius_mm_);
+}
+
 /// Drops run-in and run-out from the walls: the largest part that closes is the contour.
 void ContourCheck::keep_closed_part() {
   const std::size_t count = elements_;

@@ -36,6 +36,10 @@ class ContourCheck {
   void add_corner(SourceBlock source, const Arc& corner);
   /// The chain is complete: works out its findings. Without a chain: nothing.
   void end();
+  /// Ends the part of the chain that is known by now, and goes on with an empty one: for chains too long to be kept.
+  void split();
+  /// Has a chain begun that is not complete yet?
+  [[nodiscard]] bool is_open() const { return is_open_; }
 
   /// too_close of all chains so far: `block` comes closer to `other` than the tool's radius.
   [[nodiscard]] const std::vector<StageFault>& findings() const { return findings_; }

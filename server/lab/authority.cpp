@@ -32,7 +32,7 @@ const Authority::Table& Authority::table() {
   using A = Authority;
   // Columns: LoggedIn, LoggedOut, Select, ReleaseIt, Accept, Decline, Heard, HaltPressed, HaltCleared, PowerSwitched,
   //          Locked, Deprived, Polled
-  static const Table table{{
+  static const Table kTable{{
       /* nobody   */ {&A::note_login, &A::leave, &A::select, &A::release_nothing, &A::ignore, &A::ignore, &A::ignore,
                       &A::halt, &A::clear_halt, &A::switch_power, &A::lock, &A::deprive, &A::ignore},
       /* offered  */
@@ -45,7 +45,7 @@ const Authority::Table& Authority::table() {
       {&A::note_login, &A::leave, &A::select_next, &A::release_next, &A::ignore, &A::ignore, &A::ignore, &A::halt,
        &A::clear_halt, &A::switch_power, &A::lock, &A::deprive, &A::finish_stopping},
   }};
-  return table;
+  return kTable;
 }
 
 Actions Authority::apply(const Event& event, const MachineView& machine, std::int64_t now_ns) {

@@ -27,7 +27,7 @@ void Console::message(const Reply& reply, const v1::SendMessage& request) const 
   bool anybody = false;
   for (const auto& [id, desk] : lab_.desks_) {
     if (request.station() != 0 && desk->station != static_cast<int>(request.station())) continue;
-    lab_.note(*desk, reply.visit->person.name + ": " + text);
+    lab_.deliver(*desk, reply.visit->person.name + ": " + text);
     anybody = true;
   }
   if (!anybody)

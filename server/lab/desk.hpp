@@ -11,6 +11,9 @@
 #include "cnclab/v1/keys.pb.h"
 #include "db/types.hpp"
 #include "lab/authority.hpp"
+#include "lab/cassettes.hpp"
+#include "lab/labor_menu.hpp"
+#include "lab/media_order.hpp"
 #include "lab/run_recorder.hpp"
 #include "lab/screen_feed.hpp"
 #include "machine/channel.hpp"
@@ -72,12 +75,16 @@ struct Desk {
   std::uint64_t received = 0;               ///< number of the last input that came
   std::optional<std::uint64_t> storing;     ///< number of the input whose store is on its way
   bool ignore_start_until_release = false;  ///< the START that accepted an offer (AUTH-005)
-  bool labor_open = false;                  ///< the lab's menu is shown (key LABOR)
+  std::optional<LaborMenu> labor;           ///< the lab's menu while it is open (key LABOR)
+  std::deque<std::string> messages;         ///< of the instructor since the login, newest first
   std::uint64_t state = 1;                  ///< number of the situation below (AUTH-008)
   panel::Situation situation;
   bool situation_on_lab = false;
   std::string notice;  ///< the lab's own sentence for row 18
   std::int64_t notice_until_ns = 0;
+  std::deque<std::shared_ptr<MediaOrder>> media;  ///< files on their way, the first under way (lab_media.cpp)
+  std::int64_t media_moved_ns = 0;                ///< when the last of their messages came or went
+  CassetteShelf cassettes;
   std::string last_key;
   View view;                           ///< what was drawn last
   std::deque<std::int64_t> errors_ns;  ///< when errors came up in the last minute (INS-001)

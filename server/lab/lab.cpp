@@ -36,6 +36,14 @@ std::array<double, 3> workpiece_of(const Configuration& configuration) {
   return {configuration.size_mm.at(0), configuration.size_mm.at(1), configuration.size_mm.at(2)};
 }
 
+/// Bits of cards 1 and 2 from numbers such as 11 (card 1, line 1) and 28.
+std::array<std::uint8_t, 2> output_lines(const std::vector<int>& numbers) {
+  std::array<std::uint8_t, 2> cards{};
+  for (const int number : numbers)
+    cards.at(static_cast<std::size_t>(number / 10 - 1)) |= static_cast<std::uint8_t>(1U << (number % 10 - 1));
+  return cards;
+}
+
 }  // namespace
 
 Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& ticks, db::Post post, Clock clock,
@@ -55,8 +63,10 @@ Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& tic
       machine_(machine_data_),
       channel_(std::make_shared<machine::Channel>(machine_, machine_data_)),
       recorder_(store, channel_, RunRecorder::Keeps::trace) {
+  channel_->set_outputs_off_at_power_off(output_lines(configuration_.outputs_off_at_power_off));
   if (!ticks_.add(channel_)) throw std::runtime_error("the tick has no place for the lab's machine");
   remote_.fill(configuration_.remote);
+  beats_.advance(clock_.monotonic_ns());
   keep_epoch();
   write_journal("server_start", "nobody has control, position unreferenced");  // AUTH-012
 }
@@ -94,13 +104,17 @@ void Lab::receive(const VisitPtr& visit, const v1::ClientMessage& message) {
     case v1::ClientMessage::kRequest:
       return Console(*this).answer(visit, message.request());
     case v1::ClientMessage::kChunkAck:
+      if (visit->desk) return take_media(visit, message);
       return Console(*this).continue_transfer(visit, message.chunk_ack());
+    case v1::ClientMessage::kChunk:
+    case v1::ClientMessage::kMediaFailed:
+      if (!visit->desk) return hang_up(visit, "message out of order");
+      return take_media(visit, message);
     case v1::ClientMessage::kChangePassword:
       return change_password(visit, message.change_password());
     case v1::ClientMessage::kHello:
     case v1::ClientMessage::kLogin:
     case v1::ClientMessage::kResume:
-    case v1::ClientMessage::kChunk:
     case v1::ClientMessage::WHAT_NOT_SET:
       return hang_up(visit, "message out of order");
   }
@@ -136,13 +150,15 @@ void Lab::poll() {
   static_cast<void>(decide(Polled{}, configuration_.tongue));
   const std::vector<DeskPtr> desks = [this] {
     std::vector<DeskPtr> all;
+    all.reserve(desks_.size());
     for (const auto& [id, desk] : desks_) all.push_back(desk);
     return all;
   }();
   for (const DeskPtr& desk : desks) {
-    panel::Outcome followed = desk->control.poll(now(*desk));
-    if (followed.store || followed.mode_changed || followed.remote_start || !followed.line_news.empty())
+    if (panel::Outcome followed = desk->control.poll(now(*desk)); followed.is_anything())
       outcome(desk, std::move(followed), 0);
+    watch_media(desk, now_ns);
+    watch_recorder(desk);
     record_run(desk);
     if (!desk->is_seated() && now_ns >= desk->keep_until_ns) dismiss(desk);
     if (now_ns - desk->last_saved_ns >= 10 * kSecond_ns) save_state(desk);
@@ -167,15 +183,19 @@ void Lab::watch_connections(std::int64_t now_ns) {
 
 void Lab::send_beats(std::int64_t now_ns) {
   if (!beats_.advance(now_ns)) return;
-  v1::ServerMessage message;
-  message.mutable_beat()->set_number(beats_.number());
   for (const VisitPtr& visit : visits_) {
     const DeskPtr desk = typed_at(*visit);
     const bool has_lease = desk && desk->login == authority_.holder();
     if (!visit->is_logged_in() || (!has_lease && now_ns - visit->last_beat_ns < kSecond_ns)) continue;
     visit->last_beat_ns = now_ns;
-    visit->peer->send(message);
+    send_beat(visit);
   }
+}
+
+void Lab::send_beat(const VisitPtr& visit) {
+  v1::ServerMessage message;
+  message.mutable_beat()->set_number(beats_.number());
+  visit->peer->send(message);
 }
 
 void Lab::release_machine() { static_cast<void>(decide(ReleaseIt{true}, configuration_.tongue)); }

@@ -23,6 +23,7 @@
 #include "lab/authority.hpp"
 #include "lab/backup_copy.hpp"
 #include "lab/beats.hpp"
+#include "lab/cassettes.hpp"
 #include "lab/clock.hpp"
 #include "lab/configuration.hpp"
 #include "lab/desk.hpp"
@@ -107,6 +108,9 @@ class Lab {
   void farewell(const VisitPtr& visit, int exit_code, const std::string& text);
   void watch_connections(std::int64_t now_ns);
   void send_beats(std::int64_t now_ns);
+  /// The newest beat at once, to who may press START next: those without the machine hear one in a second only, and a
+  /// START in answer to that one would be too old (AUTH-008).
+  void send_beat(const VisitPtr& visit);
   void write_journal(std::string kind, std::string detail, int station = 0, std::string person = {}, Epoch lease = {});
   void flush_journal();
   /// Forgets what is older than the configuration keeps it: journal, people long off the roster.
@@ -118,7 +122,6 @@ class Lab {
   void greet(const VisitPtr& visit, const v1::ClientMessage& message);
   void log_in(const VisitPtr& visit, const v1::Login& login);
   void password_checked(const VisitPtr& visit, const std::optional<db::Person>& person, bool fits);
-  void change_password(const VisitPtr& visit, const v1::ChangePassword& change);
   void admit(const VisitPtr& visit);
   void admit_station(const VisitPtr& visit);
   void load_desk(const VisitPtr& visit);
@@ -140,7 +143,6 @@ class Lab {
   void pump(const DeskPtr& desk);
   void act(const DeskPtr& desk, const Input& input);
   void start_pressed(const DeskPtr& desk, const Input& input);
-  void labor_key(const DeskPtr& desk, Key key);
   void outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t number);
   void store(const DeskPtr& desk, panel::StoreRequest request, std::uint64_t number, const std::string& author);
   [[nodiscard]] bool is_fresh(const Desk& desk, const Input& input) const;
@@ -156,11 +158,58 @@ class Lab {
   void follow_lines(std::int64_t now_ns);
   void judge_remote_start(const DeskPtr& desk, const panel::RemoteStart& start);
 
+  // lab_labor.cpp
+  /// The lab's menu gets the key: LABOR, and every other one while it is open, but for the START that accepts an offer.
+  [[nodiscard]] bool takes_for_menu(const Desk& desk, Key key) const;
+  void labor_key(const DeskPtr& desk, Key key);
+  /// A message of the instructor: row 18 now, and on the menu's list.
+  void deliver(Desk& desk, const std::string& message);
+  void choose_language(const DeskPtr& desk, language::Tongue tongue);
+  [[nodiscard]] LaborFacilities labor_facilities(const Desk& desk) const;
+  struct LaborOrders;  ///< what each order does
+
+  // lab_password.cpp
+  void change_password(const VisitPtr& visit, const v1::ChangePassword& change);
+  void change_expired_password(const VisitPtr& visit, const std::string& wish);
+  void change_own_password(const VisitPtr& visit, const v1::ChangePassword& change);
+  void keep_password(const VisitPtr& visit, const std::string& wish, std::function<void()> kept);
+  void answer_password(const VisitPtr& visit, v1::LoginResult result, const std::string& text) const;
+
   // lab_versions.cpp
-  /// Behind key LABOR: an older version of an own program becomes the newest; row 18 tells (STO-005).
-  void restore_version(const DeskPtr& desk, std::uint16_t program, int version);
+  /// Behind key LABOR (STO-005): the menu gets the list; an older version becomes the newest and row 18 tells.
+  void read_versions(const DeskPtr& desk, const Subject& of);
+  void restore_version(const DeskPtr& desk, const Subject& of, int version);
   /// The control takes up what the database has of its programs.
   void reload_programs(db::PersonId person);
+
+  // lab_media.cpp
+  void order_media(const DeskPtr& desk, panel::MediaRequest request, MediaOrder::From from);
+  void print(const DeskPtr& desk, const std::shared_ptr<MediaOrder>& order, const panel::PutFiles& put);
+  [[nodiscard]] bool controls_machine(const Desk& desk) const;
+  void go_on_with_media(const DeskPtr& desk);
+  void media_step(const VisitPtr& visit, const DeskPtr& desk, MediaTransfer::Step step);
+  void fail_media(const DeskPtr& desk, MediaProblem problem);
+  void media_over(const DeskPtr& desk, const MediaOrder& order);
+  void take_media(const VisitPtr& visit, const v1::ClientMessage& message);
+  void watch_media(const DeskPtr& desk, std::int64_t now_ns);
+  void seat_media(const VisitPtr& visit, const DeskPtr& desk);
+  /// Behind key LABOR: a hardcopy of the control's screen, and of the picture in GRAFIK (SYS-013).
+  void print_screen(const DeskPtr& desk);
+
+  // lab_cassettes.cpp
+  void take_up_cassettes(const DeskPtr& desk, StoredCassettes stored);
+  void put_into_recorder(const DeskPtr& desk, db::CassetteId id, const std::string& tape);
+  void watch_recorder(const DeskPtr& desk);
+  void save_cassette(const DeskPtr& desk);
+  void change_cassettes(const DeskPtr& desk, std::function<bool(db::Database&)> change, const std::string& refusal);
+  void change_recorder(const DeskPtr& desk, std::optional<db::CassetteId> next, std::optional<db::CassetteId> removed);
+  /// Behind key LABOR.
+  void wish_cassette(const DeskPtr& desk, const CassetteWish& wish);
+  void act_on_cassette(const DeskPtr& desk, const ActOnCassette& order);
+  [[nodiscard]] std::vector<std::string> cassette_lines(const Desk& desk) const;
+  void show_cassette(const DeskPtr& desk, std::size_t index);
+  /// Where the menu shows them, it shows them as they are now.
+  void cassettes_changed(const DeskPtr& desk);
 
   // lab_keyboards.cpp
   /// Why the person's own keys are barred but for STOP and MASCHINE HALT; nothing while they are not (AUTH-016).
@@ -206,6 +255,7 @@ class Lab {
   Clock clock_;
   PasswordWorker passwords_;
   WorkerThread long_work_;  ///< of the controls: checks before a start
+  WorkerThread printing_;   ///< waits for the printer
   LoginGuard guard_;
   LoginGuard line_guard_;  ///< of serial lines: their wrong tokens delay no login
   Beats beats_;

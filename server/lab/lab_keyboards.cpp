@@ -42,6 +42,7 @@ void Lab::take_keyboard(const VisitPtr& console, const DeskPtr& desk) {
   desk->console_beat_ns = clock_.monotonic_ns();
   desk->waiting.clear();
   desk->is_dirty = true;
+  send_beat(console);
 }
 
 void Lab::give_back(const DeskPtr& desk) {

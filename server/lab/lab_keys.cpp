@@ -6,7 +6,6 @@
 
 #include "cnclab/v1/envelope.pb.h"
 #include "lab/lab.hpp"
-#include "lab/labor_menu.hpp"
 #include "lab/stored_control.hpp"
 
 namespace cnclab::lab {
@@ -127,7 +126,7 @@ void Lab::act(const DeskPtr& desk, const Input& input) {
   if (desk->notice_until_ns != 0) note(*desk, "");
   if (input.keys.size() > 1) return outcome(desk, desk->control.press_chord(input.keys, now(*desk)), input.number);
   const Key key = input.keys.front();
-  if (key == Key::LABOR || desk->labor_open) return labor_key(desk, key);
+  if (takes_for_menu(*desk, key)) return labor_key(desk, key);
   if (key == Key::MELDUNG) {
     const auto raised = std::ranges::find_if(hands_, [&](const auto& hand) { return hand.lock() == desk; });
     if (raised == hands_.end())
@@ -166,27 +165,13 @@ bool Lab::is_fresh(const Desk& desk, const Input& input) const {
   return input.state == desk.state && sent_ns && clock_.monotonic_ns() - *sent_ns <= kOldestStart_ns;
 }
 
-void Lab::labor_key(const DeskPtr& desk, Key key) {
-  switch (labor_choice(key)) {
-    case LaborChoice::open_or_close:
-      desk->labor_open = !desk->labor_open;
-      return;
-    case LaborChoice::close:
-      desk->labor_open = false;
-      return;
-    case LaborChoice::log_out:
-      if (const VisitPtr visit = desk->visit.lock()) log_out(visit, "log-out");
-      return;
-    case LaborChoice::none:
-      return;
-  }
-}
-
 void Lab::outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t number) {
   desk->is_dirty = true;
   for (const std::string& news : outcome.line_news) write_journal("dnc", news, desk->station, desk->person.name);
   if (outcome.store)
     store(desk, std::move(*outcome.store), number, outcome.is_from_line ? kLineAuthor : desk->person.name);
+  if (outcome.media) order_media(desk, std::move(*outcome.media), MediaOrder::From::control);
+  if (outcome.picture) order_media(desk, std::move(*outcome.picture), MediaOrder::From::hardcopy);
   if (outcome.mode_changed) save_state(desk);
   if (outcome.was_reset && desk->on_lab_machine)  // DEC-39
     static_cast<void>(decide(Deprived{desk->login, "RESET"}, tongue_of(desk->person)));
@@ -220,6 +205,7 @@ void Lab::note(Desk& desk, const std::string& sentence) {
 
 void Lab::save_state(const DeskPtr& desk) {
   desk->last_saved_ns = clock_.monotonic_ns();
+  save_cassette(desk);
   std::string state = desk->control.save_state();
   if (state == desk->saved_state) return;
   desk->saved_state = state;

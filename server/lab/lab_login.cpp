@@ -92,6 +92,7 @@ void Lab::log_in(const VisitPtr& visit, const v1::Login& login) {
     return;
   }
   visit->login = login;
+  visit->has_media = login.has_media();
   visit->stage = Stage::checking;
   store_.run([name = login.user()](db::Database& database) { return database.person(name); },
              [this, visit, alive = alive_](const std::expected<std::optional<db::Person>, db::StoreError>& found) {
@@ -126,30 +127,6 @@ void Lab::password_checked(const VisitPtr& visit, const std::optional<db::Person
     return;
   }
   admit(visit);
-}
-
-void Lab::change_password(const VisitPtr& visit, const v1::ChangePassword& change) {
-  const std::string& wish = change.new_password();
-  if (wish.size() < kShortestPassword || wish.size() > kLongestPassword) {
-    visit->peer->send(answer_with(v1::LOGIN_RESULT_PASSWORD_WEAK,
-                                  say(tongue_of(visit->person), "Das Passwort muss 8 bis 256 Zeichen haben.",
-                                      "The password must have 8 to 256 characters.")));
-    return;
-  }
-  if (visit->is_logged_in()) return hang_up(visit, "password change out of order");
-  visit->stage = Stage::checking;
-  passwords_.hash(wish, [this, visit, alive = alive_](const std::string& hash) {
-    if (!*alive || visit->stage != Stage::checking) return;
-    store_.run([id = visit->person.id, hash](db::Database& database) { database.set_password(id, hash, false); },
-               [this, visit, hash, alive](const std::expected<void, db::StoreError>& result) {
-                 if (!*alive || visit->stage != Stage::checking) return;
-                 if (!result) return refuse(visit, v1::LOGIN_RESULT_REFUSED, result.error().text);
-                 visit->person.password_hash = hash;
-                 visit->person.must_change = false;
-                 write_journal("password_changed", "", 0, visit->person.name);
-                 admit(visit);
-               });
-  });
 }
 
 void Lab::admit(const VisitPtr& visit) {
@@ -248,6 +225,7 @@ void Lab::load_desk(const VisitPtr& visit) {
                if (is_damaged(stored->machine_data)) restore_machine_data(desk);
                desk->made_ns = clock_.monotonic_ns();
                desk->saved_state = stored->state;
+               take_up_cassettes(desk, stored->cassettes);
                desks_[person.id] = desk;
                admit_station(visit);
              });
@@ -273,6 +251,7 @@ void Lab::resume(const VisitPtr& visit, const v1::Resume& resume) {
                   say(configuration_.tongue, "Bitte neu anmelden.", "Please log in again."));
   const DeskPtr desk = found->second;
   visit->person = desk->person;
+  visit->has_media = resume.has_media();
   if (const DeskPtr other = seated_at(desk->station); other && other != desk) {
     auto message = answer_with(v1::LOGIN_RESULT_SEAT_TAKEN, say(tongue_of(desk->person), "An diesem Platz sitzt jetzt ",
                                                                 "This station is now taken by ") +
@@ -298,7 +277,7 @@ void Lab::sit_down(const VisitPtr& visit, const DeskPtr& desk, int station) {
   desk->received = 0;
   desk->waiting.clear();
   if (desk->storing) desk->storing = 0;  // an input of the former connection: nothing to acknowledge here
-  desk->labor_open = false;
+  desk->labor.reset();
   desk->is_dirty = true;
   fit_line(*desk, !visit->login.user().empty());  // a reconnect has no login of its own: its token stays
   auto message = answer_with(v1::LOGIN_RESULT_OK, "");
@@ -309,10 +288,12 @@ void Lab::sit_down(const VisitPtr& visit, const DeskPtr& desk, int station) {
   login.set_ticket(desk->ticket);
   login.set_language(tongue_of(desk->person) == language::Tongue::german ? "de" : "en");
   visit->peer->send(message);
+  send_beat(visit);
   write_journal("login", visit->peer->address(), station, desk->person.name);
   store_.run(
       [id = desk->person.id, time = clock_.unix_ms()](db::Database& database) { database.set_last_seen(id, time); },
       [](const std::expected<void, db::StoreError>&) {});
+  seat_media(visit, desk);
   static_cast<void>(decide(LoggedIn{station, desk->login}, tongue_of(desk->person)));
   set_locked(desk, locked_.contains(desk->person.id));
   everybody_changed();
@@ -333,6 +314,8 @@ void Lab::vacate(const VisitPtr& visit, const std::string& why) {
   desk->login = kNoLogin;
   desk->stop_training();
   cut_lines_of(*desk);
+  for (const auto& order : desk->media)
+    if (order->transfer) order->transfer->pause();  // begins anew when the line is back
   desk->waiting.clear();
   desk->keep_until_ns = clock_.monotonic_ns() + configuration_.keep_minutes * 60'000'000'000LL;
   write_journal("left", why, desk->station, desk->person.name);

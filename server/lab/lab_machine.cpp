@@ -97,6 +97,8 @@ void Lab::connect_lab_machine(LoginId login) {
     desk->on_lab_machine = true;
     desk->control.connect({channel_, authority_.newest(), true, machine_data_, configuration_.require_reference});
     lab_desk_ = desk;
+    for (const VisitPtr& typing : {desk->visit.lock(), desk->taker.lock()})
+      if (typing) send_beat(typing);  // ahead of the screen that shows the machine
   }
 }
 

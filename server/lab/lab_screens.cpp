@@ -3,7 +3,7 @@
 
 #include "cnclab/v1/envelope.pb.h"
 #include "lab/lab.hpp"
-#include "lab/labor_menu.hpp"
+#include "lab/labor_screen.hpp"
 
 namespace cnclab::lab {
 
@@ -31,9 +31,9 @@ void Lab::draw(const DeskPtr& desk, std::int64_t now_ns) {
   desk->is_dirty = false;
   desk->last_drawn_ns = now_ns;
   note_situation(*desk);
-  desk->view = View{desk->control.draw(now(*desk), side_view(*desk, now_ns)), desk->handled(), desk->state,
-                    desk->control.alarm_tone()};
-  if (desk->labor_open) draw_labor_menu(desk->view.screen, tongue_of(desk->person));
+  const panel::SideView side = side_view(*desk, now_ns);
+  desk->view = View{desk->control.draw(now(*desk), side), desk->handled(), desk->state, desk->control.alarm_tone()};
+  if (desk->labor) draw_labor_menu(desk->view.screen, *desk->labor, tongue_of(desk->person), !side.notice.empty());
   present(desk, desk->control.take_beeps());
   if (desk->station == shown_station_)
     for (const auto& [id, other] : desks_)

@@ -1,30 +1,58 @@
-// Programs that change by other ways than the keys of their control: restored versions, copies of the instructor's.
+// Programs and machine data that change by other ways than the keys of their control: versions that come back, copies
+// of the instructor's.
 #include "lab/lab.hpp"
+#include "lab/labor_screen.hpp"
 #include "lab/program_versions.hpp"
 #include "lab/stored_control.hpp"
 
 namespace cnclab::lab {
 
-void Lab::restore_version(const DeskPtr& desk, std::uint16_t program, int version) {
-  using Outcome = std::expected<void, Refusal>;
+void Lab::read_versions(const DeskPtr& desk, const Subject& of) {
+  store_.run([id = desk->person.id, of](db::Database& database) { return versions_of(database, id, of); },
+             [this, weak = std::weak_ptr(desk), of,
+              alive = alive_](const std::expected<std::vector<LaborVersion>, db::StoreError>& versions) {
+               const DeskPtr owner = weak.lock();
+               if (!*alive || !owner || !owner->labor) return;
+               if (!versions) return note(*owner, versions.error().text);
+               owner->labor->show_versions(of, *versions);
+               owner->is_dirty = true;
+             });
+}
+
+void Lab::restore_version(const DeskPtr& desk, const Subject& of, int version) {
+  if (std::holds_alternative<MachineDataSet>(of) && desk->on_lab_machine)  // DEC-39
+    return note(
+        *desk, say(tongue_of(desk->person), "Maschinendaten bleiben, wie sie sind, solange die Maschine verbunden ist.",
+                   "Machine data stay as they are while the machine is connected."));
+  using Outcome = std::expected<std::optional<machine::MachineData>, Refusal>;
   store_.run(
-      [id = desk->person.id, program, version, memory_bytes = configuration_.memory_bytes,
+      [id = desk->person.id, of, version, memory_bytes = configuration_.memory_bytes,
        author = db::Author{desk->person.name, desk->station, clock_.unix_ms()}](db::Database& database) -> Outcome {
         try {
-          lab::restore_version(database, id, program, version, memory_bytes, author);
-          return {};
+          if (const auto* program = std::get_if<std::uint16_t>(&of)) {
+            lab::restore_version(database, id, *program, version, memory_bytes, author);
+            return std::nullopt;
+          }
+          return restore_machine_data_version(database, id, version, author);
         } catch (const Refusal& refusal) {
           return std::unexpected(refusal);
         }
       },
-      [this, weak = std::weak_ptr(desk), alive = alive_](const std::expected<Outcome, db::StoreError>& result) {
+      [this, weak = std::weak_ptr(desk), of, version,
+       alive = alive_](const std::expected<Outcome, db::StoreError>& result) {
         const DeskPtr owner = weak.lock();
         if (!*alive || !owner) return;
         const auto tongue = tongue_of(owner->person);
         if (!result) return note(*owner, result.error().text);
         if (!*result) return note(*owner, result->error().in(tongue));
-        note(*owner, say(tongue, "Die Version ist wieder die neueste.", "That version is the newest again."));
-        reload_programs(owner->person.id);
+        write_journal("restore", name_of(of, language::Tongue::english) + " version " + std::to_string(version),
+                      owner->station, owner->person.name);
+        note(*owner, name_of(of, tongue) + say(tongue, ": Version ", ": version ") + std::to_string(version) +
+                         say(tongue, " gilt wieder.", " holds again."));
+        if (const auto& data = **result)
+          owner->control.replace_data(*data);
+        else
+          reload_programs(owner->person.id);
       });
 }
 

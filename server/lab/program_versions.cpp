@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <ranges>
+
 #include "lab/stored_control.hpp"
 #include "language/tape.hpp"
 
@@ -22,6 +25,36 @@ language::Program program_of(std::uint16_t number, const std::vector<std::string
   return program;
 }
 
+/// Two passes: F START/STOP may not exceed F MAX, whichever of them is set first.
+machine::MachineData data_of(const std::map<int, std::int64_t>& values) {
+  machine::MachineData data;
+  for (const auto& [number, value] : values) static_cast<void>(data.set(number, value));
+  for (const auto& [number, value] : values) {
+    if (!data.set(number, value))
+      throw Refusal{fmt::format("Der Wert {} von Nummer {:02} ist nicht mehr erlaubt.", value, number),
+                    fmt::format("The value {} of number {:02} is not allowed any more.", value, number)};
+  }
+  return data;
+}
+
+LaborVersion line_of(const db::DataVersion& version) {
+  std::string numbers;
+  for (const int number : version.numbers) numbers += fmt::format("{}{:02}", numbers.empty() ? "" : " ", number);
+  return {version.version, version.author.time_ms, version.author.name, version.author.station, numbers, 0};
+}
+
+LaborVersion line_of(const db::ProgramVersion& version) {
+  return {version.version,        version.author.time_ms, version.author.name,
+          version.author.station, version.kind,           version.block};
+}
+
+template <class Version>
+std::vector<LaborVersion> newest_first(const std::vector<Version>& versions) {
+  std::vector<LaborVersion> lines;
+  for (const Version& version : versions | std::views::reverse) lines.push_back(line_of(version));
+  return lines;
+}
+
 }  // namespace
 
 void restore_version(db::Database& database, db::PersonId person, std::uint16_t number, int version, int memory_bytes,
@@ -38,6 +71,24 @@ void restore_version(db::Database& database, db::PersonId person, std::uint16_t 
     throw Refusal{fmt::format("Der Speicher reicht für P{:04}, Version {}, nicht.", number, version),
                   fmt::format("The memory is too small for P{:04}, version {}.", number, version)};
   database.replace_program(person, number, stored_blocks(program), author);
+}
+
+machine::MachineData restore_machine_data_version(db::Database& database, db::PersonId person, int version,
+                                                  const db::Author& author) {
+  const auto values = database.machine_data_at(person, version);
+  if (!values)
+    throw Refusal{fmt::format("Die Maschinendaten haben keine Version {}.", version),
+                  fmt::format("The machine data have no version {}.", version)};
+  machine::MachineData data = data_of(*values);
+  carry_out(database, person, panel::PutMachineData{data}, author);
+  return data;
+}
+
+std::vector<LaborVersion> versions_of(db::Database& database, db::PersonId person, const Subject& of) {
+  if (const auto* program = std::get_if<std::uint16_t>(&of)) return newest_first(database.versions(person, *program));
+  auto lines = newest_first(database.machine_data_versions(person));
+  if (!lines.empty()) lines.push_back({});
+  return lines;
 }
 
 }  // namespace cnclab::lab

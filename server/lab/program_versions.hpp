@@ -1,10 +1,14 @@
-// Older versions of programs come back: by the student's own wish (key LABOR) or the instructor's (STO-005).
+// Older versions of programs and machine data come back: by the student's own wish (key LABOR) or the instructor's
+// (STO-005).
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "db/database.hpp"
+#include "lab/labor_menu.hpp"
 #include "lab/refusal.hpp"
+#include "machine/machine_data.hpp"
 
 namespace cnclab::lab {
 
@@ -13,5 +17,15 @@ namespace cnclab::lab {
 /// throws  Refusal: no such version, a block of it cannot be read, the memory is too small; nothing changed
 void restore_version(db::Database& database, db::PersonId person, std::uint16_t program, int version, int memory_bytes,
                      const db::Author& author);
+
+/// Makes the machine data again what they were after a change of them, 0: as delivered. Only what differs is stored, as
+/// one more version.
+/// returns  the data that hold now
+/// throws   Refusal: no such version, or its values are not allowed any more; nothing changed
+[[nodiscard]] machine::MachineData restore_machine_data_version(db::Database& database, db::PersonId person,
+                                                                int version, const db::Author& author);
+
+/// For the menu, newest first. Machine data have version 0, the delivery, as well.
+[[nodiscard]] std::vector<LaborVersion> versions_of(db::Database& database, db::PersonId person, const Subject& of);
 
 }  // namespace cnclab::lab

@@ -87,7 +87,11 @@ struct CarryOut {
 }  // namespace
 
 StoredControl read_control(db::Database& database, db::PersonId person) {
-  return {database.programs(person), database.machine_data(person), database.control_state(person)};
+  StoredControl control{database.programs(person), database.machine_data(person), database.control_state(person), {}};
+  control.cassettes.list = database.cassettes(person);
+  for (const db::StoredCassette& cassette : control.cassettes.list)
+    if (cassette.is_inserted) control.cassettes.tape = database.tape(person, cassette.id);
+  return control;
 }
 
 panel::Memory memory_of(const std::vector<db::StoredProgram>& programs, int memory_bytes) {
@@ -147,11 +151,16 @@ std::string change_text(const panel::StoreRequest& request) {
     return fmt::format("insert P{:04} N{:03}", insert->program, insert->block.number);
   if (const auto* erase = std::get_if<panel::DeleteBlock>(&request))
     return fmt::format("delete P{:04} N{:03}", erase->program, erase->block);
+  std::string text;
   if (const auto* remove = std::get_if<panel::RemovePrograms>(&request)) {
-    std::string text = "remove";
     for (const auto number : remove->programs) text += fmt::format(" P{:04}", number);
-    return text;
+    return "remove" + text;
   }
+  if (const auto* put = std::get_if<panel::PutPrograms>(&request)) {
+    for (const auto& program : put->programs) text += fmt::format(" P{:04}", program.number);
+    return "read" + text + (put->data ? " machine data" : "");
+  }
+  if (std::holds_alternative<panel::EraseMemory>(request)) return "erase the whole memory";
   return "machine data";
 }
 

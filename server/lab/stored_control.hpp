@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "db/database.hpp"
+#include "lab/cassettes.hpp"
 #include "machine/machine_data.hpp"
 #include "panel/control.hpp"
 #include "panel/memory.hpp"
@@ -16,6 +17,7 @@ struct StoredControl {
   std::vector<db::StoredProgram> programs;
   std::vector<db::StoredDatum> machine_data;
   std::string state;
+  StoredCassettes cassettes;
 };
 
 [[nodiscard]] StoredControl read_control(db::Database& database, db::PersonId person);

@@ -34,12 +34,14 @@ struct Visit {
   Stage stage = Stage::greeting;
   v1::ClientKind kind = v1::CLIENT_KIND_UNSPECIFIED;
   std::int64_t opened_ns = 0, heard_ns = 0, last_beat_ns = 0;
-  db::Person person;             ///< from a correct password on
-  v1::Login login;               ///< what was asked for; the password is wiped once it is compared
-  std::shared_ptr<Desk> desk;    ///< at_desk
-  int watched_station = 0;       ///< looking_on, at_console: whose screen is shown here, 0 nobody's
-  std::weak_ptr<Desk> keyboard;  ///< at_console: whose keyboard it has taken over
-  std::uint64_t received = 0;    ///< at_console: number of the last key that came
+  db::Person person;                  ///< from a correct password on
+  v1::Login login;                    ///< what was asked for; the password is wiped once it is compared
+  std::shared_ptr<Desk> desk;         ///< at_desk
+  bool has_media = false;             ///< a station with a folder for files
+  int watched_station = 0;            ///< looking_on, at_console: whose screen is shown here, 0 nobody's
+  std::weak_ptr<Desk> keyboard;       ///< at_console: whose keyboard it has taken over
+  bool is_changing_password = false;  ///< at_desk: the old one is being compared, the new one hashed
+  std::uint64_t received = 0;         ///< at_console: number of the last key that came
   ScreenFeed feed;
 
   /// A file on its way to a console, chunk by chunk (bulk.proto).

@@ -228,10 +228,10 @@ Check check_words(const Block& block, const BlockForm& form, const Found& found,
       if ((required & bit_of(address)) != 0) return fault(block, ErrorCode::word_missing, letter(address));
       continue;
     }
-    const Word& word = block.words[next].address == address ? block.words[next] : *block.find(address);
+    const Word* word = block.words[next].address == address ? &block.words[next] : block.find(address);
     ++next;
-    if (is_plainly_right(block, form, word, limits)) continue;
-    if (Check checked = check_word(block, form, word, vocabulary, limits); !checked) return checked;
+    if (word == nullptr || is_plainly_right(block, form, *word, limits)) continue;
+    if (Check checked = check_word(block, form, *word, vocabulary, limits); !checked) return checked;
   }
   const AddressSet allowed = addresses_of(form);
   if (found.has_one_twice || (found.set & ~allowed) != 0) return refuse_foreign_word(block, allowed);

@@ -136,9 +136,6 @@ constexpr Row kRows[] = {
     {ErrorCode::lower_case,
      {"Uebertragung falsch", "Kleinbuchstabe {0} würde die Steuerung überlesen{1}. Groß schreiben."},
      {"Transfer wrong", "The control would skip the small letter {0}{1}. Use capitals."}},
-    {ErrorCode::not_in_this_version,
-     {"In Vorbereitung", "{0} ist in Vorbereitung und läuft noch nicht{1}. Satz ändern."},
-     {"In preparation", "{0} is in preparation and does not run yet{1}. Change the block."}},
 };
 
 /// Rows are found by their code.

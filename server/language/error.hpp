@@ -48,11 +48,10 @@ enum class ErrorCode : std::uint8_t {
   text_malformed,           ///< a character or number that is no word (tape, files)
   machine_datum_wrong,      ///< a recording's machine data: not N03=500000 (DEC-62)
   lower_case,               ///< a file with small letters outside comments (DEC-30)
-  not_in_this_version,      ///< a function whose execution this version does not have
 };
 
 /// The last of the codes, so that a table can be checked for completeness.
-inline constexpr ErrorCode kLastErrorCode = ErrorCode::not_in_this_version;
+inline constexpr ErrorCode kLastErrorCode = ErrorCode::lower_case;
 
 /// One error with its place. `word` is the address letter, 0 where no word is to blame.
 struct Error {

@@ -2,6 +2,7 @@
 #include "language/program_collector.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace cnclab::language {
@@ -87,8 +88,8 @@ ReadProgram ProgramCollector::sorted() const {
   if (std::ranges::is_sorted(blocks_, {}, &Block::number))
     return {.program = {.number = number_, .blocks = {blocks_.begin(), blocks_.end()}},
             .lines = {lines_.begin(), lines_.end()}};
-  std::vector<std::size_t> order;
-  for (std::size_t i = 0; i < blocks_.size(); ++i) order.push_back(i);
+  std::vector<std::size_t> order(blocks_.size());
+  std::iota(order.begin(), order.end(), 0);
   std::ranges::sort(order, {}, [&](std::size_t i) { return blocks_[i].number; });
   ReadProgram read{.program = {.number = number_, .blocks = {}}, .lines = {}};
   for (const std::size_t i : order) {

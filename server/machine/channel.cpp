@@ -75,6 +75,11 @@ void Channel::set_override(double ratio) {
 
 void Channel::set_single_block(bool on) { impl_->mail.single_block.store(on, std::memory_order_relaxed); }
 
+void Channel::set_outputs_off_at_power_off(const std::array<std::uint8_t, 2>& cards) {
+  impl_->mail.outputs_off_at_power_off.store(static_cast<std::uint16_t>(cards[0] | cards[1] << 8),
+                                             std::memory_order_relaxed);
+}
+
 void Channel::grant(Epoch epoch, std::int64_t expiry_ns) {
   if (epoch < impl_->newest_epoch) return;
   impl_->newest_epoch = epoch;

@@ -207,6 +207,8 @@ class Channel {
   void latch(bool on);
   void set_override(double ratio);  ///< potentiometer 0..1
   void set_single_block(bool on);
+  /// These outputs (bits of cards 1 and 2) go off with the power; the others keep their state, as at stops (AUTH-003).
+  void set_outputs_off_at_power_off(const std::array<std::uint8_t, 2>& cards);
   /// Grants an epoch until `expiry_ns` of the tick's clock, or renews it. Epochs never go back: an older one, and one
   /// that was revoked or that the tick has seen expire, stays invalid.
   void grant(Epoch epoch, std::int64_t expiry_ns);

@@ -132,6 +132,9 @@ void ChannelTick::power_off() noexcept {
   hand_.halt_now();
   switches_.cancel();
   switch_off_tools();
+  const unsigned off = mail_.outputs_off_at_power_off.load(std::memory_order_relaxed);
+  for (std::size_t card = 0; card < outputs_.cards.size(); ++card)
+    outputs_.cards[card] = static_cast<std::uint8_t>(outputs_.cards[card] & ~(off >> (8 * card)));
   outputs_.drives_on = false;
   if (cause_ != StopCause::power_off && (activity_ != Activity::none || run_.is_active)) cause_ = StopCause::none;
   come_to_rest(StopCause::power_off);

@@ -46,8 +46,13 @@ class MachineData {
 /// 14–17, 19 the machine's, the rest the student's.
 [[nodiscard]] MachineData on_lab_machine(const MachineData& student, const MachineData& lab);
 
+/// Why a machine-data file cannot be used.
+struct DataFileFault {
+  int line = 0;  ///< from 1
+  std::string reason;
+};
+
 /// A machine-data file: one `NN = value` per line, `#` starts a comment, what is missing keeps its default.
-/// errors: "line N: reason"
-[[nodiscard]] std::expected<MachineData, std::string> read_machine_data(std::string_view text);
+[[nodiscard]] std::expected<MachineData, DataFileFault> read_machine_data(std::string_view text);
 
 }  // namespace cnclab::machine

@@ -31,20 +31,20 @@ std::optional<Number> whole_number(std::string_view text) {
   return number;
 }
 
-std::expected<std::optional<Entry>, std::string> read_line(std::string_view text, int line) {
+std::expected<std::optional<Entry>, DataFileFault> read_line(std::string_view text, int line) {
   const std::string_view content = trimmed(text.substr(0, text.find('#')));
   if (content.empty()) return std::nullopt;
   const auto equals = content.find('=');
-  if (equals == std::string_view::npos) return std::unexpected(fmt::format("line {}: expected `NN = value`", line));
+  if (equals == std::string_view::npos) return std::unexpected(DataFileFault{line, "expected `NN = value`"});
   const auto number = whole_number<int>(trimmed(content.substr(0, equals)));
   const auto value = whole_number<std::int64_t>(trimmed(content.substr(equals + 1)));
-  if (!number || !value) return std::unexpected(fmt::format("line {}: number and value must be whole numbers", line));
+  if (!number || !value) return std::unexpected(DataFileFault{line, "number and value must be whole numbers"});
   return Entry{line, *number, *value};
 }
 
 }  // namespace
 
-std::expected<MachineData, std::string> read_machine_data(std::string_view text) {
+std::expected<MachineData, DataFileFault> read_machine_data(std::string_view text) {
   std::vector<Entry> entries;
   for (int line = 1; !text.empty(); ++line) {
     const auto end = text.find('\n');
@@ -57,14 +57,14 @@ std::expected<MachineData, std::string> read_machine_data(std::string_view text)
   MachineData data;
   while (!entries.empty()) {
     std::vector<Entry> refused;
-    std::string first_reason;
+    DataFileFault first;
     for (const Entry& entry : entries) {
       const auto done = data.set(entry.number, entry.value);
       if (done) continue;
-      if (refused.empty()) first_reason = fmt::format("line {}: MD {:02}: {}", entry.line, entry.number, done.error());
+      if (refused.empty()) first = {entry.line, fmt::format("MD {:02}: {}", entry.number, done.error())};
       refused.push_back(entry);
     }
-    if (refused.size() == entries.size()) return std::unexpected(first_reason);
+    if (refused.size() == entries.size()) return std::unexpected(first);
     entries = std::move(refused);
   }
   return data;

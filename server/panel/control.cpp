@@ -288,10 +288,19 @@ Outcome Control::poll(const Now& now) {
   if (!was_storing) outcome.store = state.storing;
   impl_->hand_out_media(outcome);
   impl_->hand_out_line(outcome);
+  outcome.picture = std::exchange(state.picture, std::nullopt);
   return outcome;
 }
 
 void Control::connect_media(bool is_connected) { impl_->state.has_media = is_connected; }
+
+void Control::connect_printer(bool is_connected) { impl_->state.has_printer = is_connected; }
+
+bool Control::awaits_media() const { return impl_->state.is_media_pending && !impl_->state.is_media_stale; }
+
+void Control::order_picture() {
+  if (auto* graphics = std::get_if<GraphicsMode>(&impl_->active)) panel::order_picture(*graphics);
+}
 
 void Control::media_done(const std::expected<std::string, std::string>& answer) {
   ControlState& state = impl_->state;
@@ -303,6 +312,10 @@ void Control::media_done(const std::expected<std::string, std::string>& answer) 
 void Control::insert_cassette(transfer::Cassette cassette, const Now& now) {
   impl_->state.now = now;
   if (!recorder_runs()) impl_->state.recorder.emplace(std::move(cassette), impl_->time());
+}
+
+void Control::eject_cassette() {
+  if (!recorder_runs()) impl_->state.recorder.reset();
 }
 
 std::optional<transfer::Cassette> Control::cassette() const {
@@ -470,6 +483,17 @@ void Control::replace_memory(Memory memory) {
     automat->phase = AutomatMode::Phase::program;
   else
     prepare_start(*automat, impl_->state);
+}
+
+void Control::replace_data(machine::MachineData data) {
+  impl_->state.data = std::move(data);
+  (void)impl_->state.apply_data();  // where the machine does not stand still, the next START tries again
+}
+
+void Control::set_tongue(language::Tongue tongue) {
+  impl_->state.settings.tongue = tongue;
+  impl_->state.message = {};
+  impl_->state.hint.clear();
 }
 
 }  // namespace cnclab::panel

@@ -98,11 +98,15 @@ using StoreRequest =
 struct Outcome {
   std::optional<StoreRequest> store;
   std::optional<MediaRequest> media{};        ///< to be answered by `media_done`, sooner or later
+  std::optional<PutFiles> picture{};          ///< what `order_picture` asked for
   std::optional<RemoteStart> remote_start{};  ///< to be answered by `answer_remote_start` at once
   std::vector<std::string> line_news{};       ///< what went over the serial line, for the journal
   bool is_from_line = false;                  ///< `store` is what the line has brought
   bool mode_changed = false;                  ///< the lab keeps the control's state (SEAT-004)
   bool was_reset = false;                     ///< RESET, alone or in a chord: a lease ends (DEC-39)
+  [[nodiscard]] bool is_anything() const {
+    return store || media || picture || remote_start || !line_news.empty() || mode_changed || was_reset;
+  }
 };
 
 /// What stands on a screen and decides whether a START pressed before it is still meant (AUTH-008).
@@ -152,11 +156,20 @@ class Control {
 
   /// Is there a place for files at the station? Without it printer, tape and diskette are not fitted (D-109).
   void connect_media(bool is_connected);
+  /// Has the lab a printer? Then there is one without a place for files, too.
+  void connect_printer(bool is_connected);
+  /// Is the answer to a MediaRequest still wanted? After STOP it is not, though it is to be given all the same.
+  [[nodiscard]] bool awaits_media() const;
+  /// GRAFIK's picture at full resolution, as SVG and PDF: it comes with the outcome of a later `poll`. In other modes
+  /// nothing comes.
+  void order_picture();
   /// The answer to the newest MediaRequest: the bytes that were read (empty where files were written), or a sentence.
   void media_done(const std::expected<std::string, std::string>& answer);
 
   /// The recorder's flap: without a cassette keys 2 and 6 are not fitted. Not while its motor runs.
   void insert_cassette(transfer::Cassette cassette, const Now& now);
+  /// Takes it out, and throws it away: `cassette` gives it before. Not while its motor runs.
+  void eject_cassette();
   /// As it is now, to be kept; nothing while there is none. It changes only while `recorder_runs`.
   [[nodiscard]] std::optional<transfer::Cassette> cassette() const;
   [[nodiscard]] bool recorder_runs() const;
@@ -205,6 +218,10 @@ class Control {
   void restore_state(const std::string& json);
   /// Programs changed from outside (instructor, restore): the memory's copy is replaced.
   void replace_memory(Memory memory);
+  /// Machine data changed from outside (restore): they act as if they had been entered (DEC-28).
+  void replace_data(machine::MachineData data);
+  /// Another language from now on; what row 18 and the monitor's last line said before goes.
+  void set_tongue(language::Tongue tongue);
 
  private:
   struct Impl;

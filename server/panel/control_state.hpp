@@ -56,9 +56,11 @@ struct ControlState {
   std::optional<StoreRequest> storing;
   std::optional<transfer::CassetteDeck> recorder;  ///< with a cassette in it
   bool has_media = false;                          ///< the station has a place for files
+  bool has_printer = false;                        ///< the lab has a printer
   std::optional<MediaRequest> media;               ///< to be handed out
   bool is_media_pending = false;                   ///< handed out, the answer is awaited …
   bool is_media_stale = false;                     ///< … and nobody wants it any more
+  std::optional<PutFiles> picture;                 ///< to be handed out, nobody awaits an answer
   SerialPort port;
   int beeps = 0;
   bool is_zero_confirmed = false;  ///< under the present lease (DEC-27)

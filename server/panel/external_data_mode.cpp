@@ -30,7 +30,7 @@ bool is_fitted(Device device, const ControlState& state) {
     case Device::disk_in:
       return state.has_media;
     case Device::printer:
-      return state.has_media && is_3300;  // MODEL-004
+      return (state.has_media || state.has_printer) && is_3300;  // MODEL-004
     case Device::tape_out:
     case Device::tape_in:
       return (state.has_media || state.port.fitting.is_fitted) && is_3300;  // MODEL-005, DEC-62

@@ -1,8 +1,15 @@
 // Portions of a test run, and the handing over of their views.
 #include "panel/graphic_test.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <utility>
+
+#include "drawing/pdf.hpp"
+#include "drawing/svg.hpp"
+#include "testrun/test_picture.hpp"
 
 namespace cnclab::panel {
 
@@ -23,13 +30,23 @@ GraphicTestView view_of(const testrun::TestRun& test, const drawing::Window& win
           .is_picture_cut = test.is_picture_cut()};
 }
 
+PutFiles files_of(const testrun::TestRun& test, drawing::View view, language::Tongue tongue) {
+  constexpr std::array<std::string_view, 4> kViews{"XY", "XZ", "YZ", "XYZ"};
+  const drawing::Picture picture = testrun::picture_of(test, view, tongue);
+  const std::string name = fmt::format("GRAFIK-P{:04}-{}", test.program(), kViews[static_cast<std::size_t>(view)]);
+  PutFiles files{.files = {{name + ".svg", drawing::svg_of(picture)}}, .is_printed = true};
+  if (auto pdf = drawing::pdf_of({&picture, 1})) files.files.push_back({name + ".pdf", std::move(*pdf)});
+  return files;
+}
+
 }  // namespace
 
 struct GraphicTest::Shared {
   explicit Shared(testrun::TestRun begun) : test(std::move(begun)) {}
 
   testrun::TestRun test;                ///< the job's while it is busy
-  std::optional<GraphicTestView> view;  ///< written by the job before it is busy no more
+  std::optional<GraphicTestView> view;  ///< written by the job before it is busy no more, as are …
+  std::optional<PutFiles> files;        ///< … these
   std::atomic<bool> is_busy = false, is_abandoned = false;
 };
 
@@ -59,6 +76,19 @@ void GraphicTest::advance(std::uint64_t blocks, const drawing::Window& window) {
     if (!shared->is_abandoned) shared->view = view_of(shared->test, window);
     shared->is_busy.store(false, std::memory_order_release);
   });
+}
+
+void GraphicTest::draw_files(drawing::View view, language::Tongue tongue) {
+  shared_->is_busy.store(true, std::memory_order_relaxed);
+  long_work_([shared = shared_, view, tongue] {
+    if (!shared->is_abandoned) shared->files = files_of(shared->test, view, tongue);
+    shared->is_busy.store(false, std::memory_order_release);
+  });
+}
+
+std::optional<PutFiles> GraphicTest::take_files() {
+  if (is_busy()) return std::nullopt;
+  return std::exchange(shared_->files, std::nullopt);
 }
 
 std::optional<GraphicTestView> GraphicTest::take_view() {

@@ -14,6 +14,7 @@
 
 #include "drawing/graphic_view.hpp"
 #include "panel/long_work.hpp"
+#include "panel/media.hpp"
 #include "testrun/test_run.hpp"
 
 namespace cnclab::panel {
@@ -46,6 +47,10 @@ class GraphicTest {
   void advance(std::uint64_t blocks, const drawing::Window& window);
   /// What the last portion has left to see; once.
   [[nodiscard]] std::optional<GraphicTestView> take_view();
+  /// Draws the picture at full resolution, as "GRAFIK-P0001-XY.svg" and ".pdf"; not while busy.
+  void draw_files(drawing::View view, language::Tongue tongue);
+  /// The files, once.
+  [[nodiscard]] std::optional<PutFiles> take_files();
 
  private:
   struct Shared;

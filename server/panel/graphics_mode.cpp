@@ -143,8 +143,17 @@ void press(GraphicsMode& mode, ControlState& state, Effect effect, int figure) {
   if (mode.is_stale) go_on(mode, 0);
 }
 
+void order_picture(GraphicsMode& mode) { mode.is_picture_wanted = mode.test.has_value(); }
+
 void follow(GraphicsMode& mode, ControlState& state) {
-  if (mode.test) go_on(mode, mode.is_playing ? blocks_at(state.override_percent) : 0);
+  if (!mode.test) return;
+  if (auto files = mode.test->take_files()) state.picture = std::move(*files);
+  if (mode.is_picture_wanted && !mode.test->is_busy()) {
+    mode.is_picture_wanted = false;
+    if (auto view = mode.test->take_view()) mode.view = std::move(*view);
+    return mode.test->draw_files(mode.window.view, state.tongue());
+  }
+  go_on(mode, mode.is_playing ? blocks_at(state.override_percent) : 0);
 }
 
 }  // namespace cnclab::panel

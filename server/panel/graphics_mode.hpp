@@ -26,10 +26,11 @@ struct GraphicsMode {
   std::optional<GraphicTest> test;  ///< once a program was acknowledged
   GraphicTestView view;             ///< the newest
   drawing::Window window;
-  bool is_stale = false;      ///< the picture is to be drawn anew: the window has changed
-  bool is_playing = false;    ///< between START and STOP
-  bool single_block = false;  ///< off on entering, as in AUTOMAT
-  std::size_t finding = 0;    ///< the one that row 18 tells at the end
+  bool is_stale = false;           ///< the picture is to be drawn anew: the window has changed
+  bool is_picture_wanted = false;  ///< as files
+  bool is_playing = false;         ///< between START and STOP
+  bool single_block = false;       ///< off on entering, as in AUTOMAT
+  std::size_t finding = 0;         ///< the one that row 18 tells at the end
 };
 
 [[nodiscard]] GraphicsMode open_graphics(const ControlState& state);
@@ -37,6 +38,8 @@ struct GraphicsMode {
 void press(GraphicsMode& mode, ControlState& state, Effect effect, int figure);
 /// Takes over what the last portion has brought, and begins the next.
 void follow(GraphicsMode& mode, ControlState& state);
+/// The picture as files: a later `follow` leaves them in the state.
+void order_picture(GraphicsMode& mode);
 void draw(const GraphicsMode& mode, const ControlState& state, Monitor& monitor);
 [[nodiscard]] std::string sentence_of(const GraphicsMode& mode, const ControlState& state);
 

@@ -14,6 +14,7 @@ struct MediaFile {
 /// All of them are written, or what was written before the fault stays.
 struct PutFiles {
   std::vector<MediaFile> files;
+  bool is_printed = false;  ///< the one called ".pdf" also goes to the lab's printer, where there is one
 };
 /// The first of these that is there is read.
 struct GetFile {

@@ -7,7 +7,7 @@ namespace cnclab::panel {
 
 namespace {
 
-constexpr std::int64_t kSecondsPerDay = 86'400;
+constexpr std::int64_t kSecondsPerMinute = 60, kSecondsPerHour = 3'600, kSecondsPerDay = 86'400;
 constexpr int kCentury = 2000;
 constexpr std::chrono::sys_days kEpoch{std::chrono::year{kCentury} / 1 / 1};
 
@@ -24,7 +24,7 @@ std::int64_t day_number(int year, int month, int day) {
 
 std::int64_t seconds_of(const WallClock& wall) {
   const std::int64_t days = has_date(wall) ? day_number(wall.year, wall.month, wall.day) : 0;
-  return days * kSecondsPerDay + wall.hour * 3600 + wall.minute * 60 + wall.second;
+  return days * kSecondsPerDay + wall.hour * kSecondsPerHour + wall.minute * kSecondsPerMinute + wall.second;
 }
 
 std::int64_t floor_day(std::int64_t seconds) {
@@ -67,7 +67,8 @@ void PanelClock::move_to(const Now& now, std::int64_t seconds, bool with_date) {
 bool PanelClock::set_time(const Now& now, int hour, int minute, int second) {
   if (hour > 23 || minute > 59 || second > 59) return false;
   const std::int64_t days = floor_day(seconds_at(now));
-  move_to(now, days * kSecondsPerDay + hour * 3600 + minute * 60 + second, own_ && own_->has_date);
+  move_to(now, days * kSecondsPerDay + hour * kSecondsPerHour + minute * kSecondsPerMinute + second,
+          own_ && own_->has_date);
   return true;
 }
 

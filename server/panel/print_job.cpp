@@ -22,7 +22,7 @@ PutFiles printed(const PrintOrder& order) {
   std::vector<drawing::Picture> pictures;
   pictures.reserve(pages.size());
   for (const transfer::PrintPage& page : pages) pictures.push_back(drawing::text_page(page, order.header.what));
-  PutFiles files{{{order.file + ".txt", transfer::print_text(pages)}}};
+  PutFiles files{.files = {{order.file + ".txt", transfer::print_text(pages)}}, .is_printed = true};
   if (auto pdf = drawing::pdf_of(pictures)) files.files.push_back({order.file + ".pdf", std::move(*pdf)});
   return files;
 }

@@ -141,6 +141,7 @@ void connect_line(ActiveMode& mode, ControlState& state, bool is_connected) {
   SerialPort& port = state.port;
   if (port.is_connected == is_connected) return;
   port.is_connected = is_connected;
+  if (is_connected && port.fitting.is_fitted) return steer(mode, state);  // what comes with the first line counts
   if (is_connected) return;
   const bool was_busy = port.line.mode() == SerialLine::Mode::reading || port.line.mode() == SerialLine::Mode::sending;
   port.line.cut(time_of(state));

@@ -125,8 +125,7 @@ bool Run::prepare_block() {
   const program::Interpreter& interpreter = source_->interpreter();
   if (interpreter.parameters() != *parameters_)
     parameters_ = std::make_shared<const program::Parameters>(interpreter.parameters());
-  records_.push_back(
-      {std::move(*executed), parameters_, std::ranges::any_of(source_->programmed(), is_alarm), path_s_});
+  records_.push_back({*executed, parameters_, std::ranges::any_of(source_->programmed(), is_alarm), path_s_});
   account_for_items();
   return true;
 }

@@ -27,7 +27,9 @@ std::vector<Point> extremes_of(const geometry::Arc& arc) {
   const geometry::ArcShape shape = geometry::shape_of(arc);
   const double end_angle = shape.start_angle + shape.sweep;
   const auto [least, most] = std::minmax(shape.start_angle, end_angle);
-  for (double angle = std::ceil(least / kQuarter) * kQuarter; angle < most; angle += kQuarter) {
+  for (auto quarter = std::lround(std::ceil(least / kQuarter)); static_cast<double>(quarter) * kQuarter < most;
+       ++quarter) {
+    const double angle = static_cast<double>(quarter) * kQuarter;
     const double way = shape.length * (angle - shape.start_angle) / shape.sweep;
     points.push_back(geometry::point_at(arc, shape, std::clamp(way, 0.0, shape.length)));
   }

@@ -68,11 +68,11 @@ std::expected<Interpreter, language::Error> Interpreter::begin(ProgramSet progra
   if (!program->find(start.block))
     return error_at(language::ErrorCode::block_missing, place, 'N', fmt::format("N{:03}", start.block));
   if (Outcome outcome = check_executable(programs, settings, start); !outcome) return std::unexpected(outcome.error());
-  return Interpreter(std::move(programs), std::move(settings), start);
+  return Interpreter(std::move(programs), settings, start);
 }
 
 Interpreter::Interpreter(ProgramSet programs, Settings settings, const Start& start)
-    : programs_(std::move(programs)), settings_(std::move(settings)), parameters_(start.parameters) {
+    : programs_(std::move(programs)), settings_(settings), parameters_(start.parameters) {
   state_.modal = start.modal;
   state_.path = start.position;
   state_.fourth_axis_nm = to_nm(start.position.u);
@@ -168,7 +168,7 @@ std::expected<std::optional<language::Block>, language::Error> Interpreter::prep
     checked_.pass(*level.program, level.next, plane);
   }
   if (!has_parameters(stored)) return std::nullopt;
-  const language::Block with_values = read_parameters(stored, parameters_, state_, programs_);
+  language::Block with_values = read_parameters(stored, parameters_, state_, programs_);
   if (is_dwell_of_nothing(with_values)) return with_values;  // DEC-53
   if (Outcome values = check_words(with_values, source, plane, settings_); !values)
     return std::unexpected(naming_parameter(std::move(values.error()), stored));

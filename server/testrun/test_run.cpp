@@ -126,8 +126,8 @@ void TestRun::take_tool(const geometry::PathItem& item, const geometry::ToolChan
 }
 
 void TestRun::take_way(const geometry::PathItem& item) {
-  path_mm_ += length_of(item);
   if (item.is_fourth_axis) return;
+  path_mm_ += length_of(item);
   std::vector<drawing::Stroke> way;
   drawing::append_strokes(item, way);
   check_travel(item, way.front());

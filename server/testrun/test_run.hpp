@@ -66,6 +66,8 @@ class TestRun {
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
   [[nodiscard]] std::size_t findings_left_off() const { return findings_left_off_; }
   [[nodiscard]] std::uint64_t blocks() const { return blocks_; }
+  /// The one that was started.
+  [[nodiscard]] std::uint16_t program() const { return order_.start.program; }
   /// The block executed last.
   [[nodiscard]] geometry::SourceBlock block() const { return block_; }
   /// Done of the main program's blocks, 0..1: jumps make it go back.

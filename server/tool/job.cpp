@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "language/program_text.hpp"
+#include "program/rebuild_modal.hpp"
 #include "tool/text_file.hpp"
 
 namespace cnclab::tool {
@@ -74,7 +75,8 @@ bool read_tools(const Options& options, Job& job) {
   if (!tape.errors.empty()) return false;
   for (language::ReadProgram& read : tape.programs) {
     if (read.program.number != language::kToolTable) continue;
-    job.lines.erase(language::kToolTable);  // the table of FILE counts no more, nor do its lines
+    job.tools_file = options.tools_file;
+    job.lines[language::kToolTable] = std::move(read.lines);  // the table of FILE counts no more, nor do its lines
     job.programs.put(std::move(read.program));
     return true;
   }
@@ -93,7 +95,7 @@ bool read_data(const Options& options, Job& job) {
     }
     const auto data = machine::read_machine_data(*text);
     if (!data) {
-      print_problem(options.machine_data_file, data.error());
+      print_problem(fmt::format("{}:{}", options.machine_data_file, data.error().line), data.error().reason);
       return false;
     }
     job.data = *data;
@@ -102,13 +104,16 @@ bool read_data(const Options& options, Job& job) {
   return true;
 }
 
+/// A start in the middle finds the modal state that the blocks before it leave, as in AUTOMAT (DEC-26).
 void choose_start(const Options& options, Job& job) {
   const auto first = std::ranges::find_if(job.in_file_order, [](int number) { return number != language::kToolTable; });
   if (first != job.in_file_order.end()) job.start.program = *first;
   if (options.program) job.start.program = *options.program;
   const language::Program* program = job.programs.find(job.start.program);
   if (program != nullptr && !program->blocks.empty()) job.start.block = program->blocks.front().number;
-  if (options.block) job.start.block = *options.block;
+  if (!options.block) return;
+  job.start.block = *options.block;
+  if (program != nullptr) job.start.modal = program::rebuild_modal(job.programs, *program, *options.block, {});
 }
 
 }  // namespace
@@ -122,8 +127,9 @@ int Job::line_of(std::uint16_t number, std::uint16_t block) const {
 }
 
 void Job::print(language::Error error) const {
+  const bool is_of_tools_file = error.line == 0 && error.in_tool_table && !tools_file.empty();
   if (error.line == 0) error.line = line_of(error.program, error.block);
-  std::string text = file + ":";
+  std::string text = (is_of_tools_file ? tools_file : file) + ":";
   if (error.line > 0) text += fmt::format("{}:", error.line);
   if (const std::string place = language::place_of(error); !place.empty()) text += fmt::format(" {}:", place);
   fmt::print(stderr, "{} {}\n", text, language::message_of(error, tongue));

@@ -16,6 +16,7 @@ namespace cnclab::tool {
 /// One job of the tool. Faults of the tape are kept, not printed: `check` has more to say.
 struct Job {
   std::string file;
+  std::string tools_file;  ///< where the tool table comes from; empty: FILE
   language::Tongue tongue = language::Tongue::english;
   program::ProgramSet programs;                       ///< those of FILE, with the tool table of --tools
   std::vector<std::uint16_t> in_file_order;           ///< their numbers as they stand in FILE

@@ -43,12 +43,22 @@ void add_source(CLI::App& command, Options& options, bool runs) {
   command.add_option("--tools", options.tools_file, "tape with the tool table P0000");
   command.add_option("--machine-data", options.machine_data_file, "file with lines NN = value");
   add_number(command, "--program", 'P', 1, 9999, options.program, "start program, e.g. P0001");
-  add_number(command, "--block", 'N', 1, 999, options.block, "start block, e.g. N001");
+  add_number(command, "--block", 'N', 1, 999, options.block,
+             "start block, e.g. N001; G, F, S and T are taken from the blocks before it");
+}
+
+/// CLI11's own check names its upper limit in 300 digits.
+CLI::Validator above_zero() {
+  const auto check = [](const std::string& text) {
+    double number = 0;
+    return CLI::detail::lexical_cast(text, number) && number > 0 ? std::string() : "'" + text + "' is not above 0";
+  };
+  return {check, "", "above zero"};
 }
 
 CLI::Option* add_most_blocks(CLI::App& command, Options& options) {
   return command.add_option("--max-blocks", options.most_blocks, "stop after so many blocks")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
 }
 
@@ -61,7 +71,7 @@ void add_run_options(CLI::App& command, Options& options) {
       ->check(CLI::Range(0.1, 10.0))
       ->capture_default_str();
   command.add_option("--max-seconds", options.most_seconds, "stop after so much machine time")
-      ->check(CLI::PositiveNumber)
+      ->check(above_zero())
       ->capture_default_str();
 }
 
@@ -102,6 +112,8 @@ void add_commands(CLI::App& app, Options& options, Command& chosen) {
   convert->add_option("--to", options.target, "cnc3300, listing or din66025")
       ->check(CLI::IsMember({"cnc3300", "listing", "din66025"}))
       ->required();
+  CLI::App* verify = add("verify", "check a lab's database and every block stored in it", tool::verify);
+  verify->add_option("DB", options.file, "the database, e.g. var/cnclab.db, or a backup of it")->required();
 }
 
 }  // namespace

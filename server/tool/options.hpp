@@ -13,7 +13,7 @@ inline constexpr int kExitError = 1;  ///< a program, a file or a value is wrong
 inline constexpr int kExitUsage = 2;
 
 struct Options {
-  std::string file;                      ///< "-" is standard input
+  std::string file;                      ///< "-" is standard input; `verify`: the database
   std::string dialect;                   ///< empty: by content
   bool is_strict = false;                ///< read as the control does (DEC-30)
   std::string tools_file;                ///< empty: P0000 of FILE, if any
@@ -35,5 +35,6 @@ int path(const Options& options);
 int run(const Options& options);
 int plot(const Options& options);
 int convert(const Options& options);
+int verify(const Options& options);
 
 }  // namespace cnclab::tool

@@ -4,7 +4,7 @@
 #include <cstdio>
 
 #include "geometry/path_json.hpp"
-#include "program/path_source.hpp"
+#include "program/checked_path.hpp"
 #include "tool/job.hpp"
 #include "tool/text_file.hpp"
 
@@ -38,7 +38,7 @@ void append_items(std::string& text, std::vector<geometry::PathItem>& items) {
 int path(const Options& options) {
   const auto job = open_sound_job(options);
   if (!job) return kExitError;
-  auto source = program::PathSource::begin(job->programs, job->settings, job->start);
+  auto source = program::CheckedPath::begin(job->programs, job->settings, job->start);
   if (!source) {
     job->print(source.error());
     return kExitError;

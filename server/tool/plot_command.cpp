@@ -1,13 +1,10 @@
 // `cnclab-tool plot`: a drawing of tool path and workpiece, from the same test run and picture as GRAFIK.
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <fstream>
 
-#include "drawing/path_picture.hpp"
 #include "drawing/pdf.hpp"
 #include "drawing/svg.hpp"
-#include "testrun/test_run.hpp"
+#include "testrun/test_picture.hpp"
 #include "tool/job.hpp"
 #include "tool/text_file.hpp"
 
@@ -65,12 +62,6 @@ std::expected<testrun::TestRun, language::Error> drawable(const Job& job, const 
   return tested(job, options, true);
 }
 
-drawing::Captions captions_of(language::Tongue tongue) {
-  if (tongue == language::Tongue::german) return {};
-  return {
-      .start = "start", .end = "end", .feed = "feed", .rapid = "rapid", .workpiece = "workpiece", .contour = "contour"};
-}
-
 /// SVG, or PDF where the file is called so.
 std::expected<std::string, std::string> file_of(const drawing::Picture& picture, const std::string& name) {
   if (name.ends_with(".pdf")) return drawing::pdf_of({&picture, 1});
@@ -87,13 +78,7 @@ int plot(const Options& options) {
     job->print(test.error());
     return kExitError;
   }
-  const drawing::Scene scene = test->scene();
-  const auto bytes = file_of(drawing::path_picture(scene.traces, {.title = fmt::format("P{:04}", job->start.program),
-                                                                  .view = view_of(options.view),
-                                                                  .workpiece = scene.workpiece,
-                                                                  .relief = scene.relief,
-                                                                  .captions = captions_of(options.tongue)}),
-                             options.out_file);
+  const auto bytes = file_of(testrun::picture_of(*test, view_of(options.view), options.tongue), options.out_file);
   if (!bytes) {
     print_problem(options.out_file, bytes.error());
     return kExitError;

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <ostream>
+#include <vector>
 
 #include "geometry/path_math.hpp"
 #include "geometry/step_grid.hpp"
@@ -22,7 +24,9 @@ constexpr std::size_t kFillBelow = 8'192;
 /// The trace ring is drained so often that it never overflows, ticks.
 constexpr std::uint64_t kDrainEvery = 64;
 
+/// Of the tool's way; the fourth axis moves something else.
 double length_of(const geometry::PathItem& item) {
+  if (item.is_fourth_axis) return 0;
   if (const auto* line = std::get_if<geometry::Line>(&item.what)) return geometry::length_of(*line);
   if (const auto* arc = std::get_if<geometry::Arc>(&item.what)) return geometry::length_of(*arc);
   return 0;
@@ -75,17 +79,17 @@ Simulation::Simulation(const Job& job, const Options& options, Recording recordi
 double Simulation::time_s() const { return static_cast<double>(ticks_) * options_.tick_ms / 1000; }
 
 std::expected<RunSummary, language::Error> Simulation::run() {
-  auto source = program::PathSource::begin(job_.programs, job_.settings, job_.start);
-  if (!source) return std::unexpected(source.error());
+  auto path = program::CheckedPath::begin(job_.programs, job_.settings, job_.start);
+  if (!path) return std::unexpected(path.error());
   channel_.grant(kEpoch, machine::kNeverExpires);
   channel_.set_override(1);
   channel_.record_trace(recording_.trace != nullptr);
   motion::Planner& planner = *channel_.begin_run(kEpoch, job_.start.position);  // the ring is empty, so there is one
-  feed(*source, planner);
+  feed(*path, planner);
   static_cast<void>(channel_.command(machine::Go{kEpoch}));
   std::optional<RunEnd> end;
   while (!end) {
-    if (waiting_.size() < kFillBelow) feed(*source, planner);
+    if (waiting_.size() < kFillBelow) feed(*path, planner);
     ++ticks_;
     channel_.tick(std::llround(time_s() * 1e9), options_.tick_ms / 1000);
     const machine::Snapshot now = channel_.snapshot();
@@ -114,31 +118,32 @@ void Simulation::conclude(RunEnd end, const machine::Snapshot& last) {
 }
 
 /// Keeps the window filled. Input 1 is inactive all the time here, so blocks that ask for it need no answer.
-void Simulation::feed(program::PathSource& source, motion::Planner& planner) {
-  while (!all_fed_ && waiting_.size() < kFillTo) {
-    all_fed_ = !take_block(source);
-    for (const geometry::PathItem& item : pending_) {
-      static_cast<void>(planner.append(item));  // kFillTo and a block's few items stay far below the window
-      waiting_.push_back({.item = item, .length_mm = length_of(item)});
+void Simulation::feed(program::CheckedPath& path, motion::Planner& planner) {
+  while (waiting_.size() < kFillTo) {
+    if (pending_.empty()) {
+      if (all_fed_) break;
+      all_fed_ = !take_block(path);
+      continue;
     }
-    pending_.clear();
+    const geometry::PathItem& item = pending_.front();
+    static_cast<void>(planner.append(item));  // kFillTo stays far below the window
+    waiting_.push_back({.item = item, .length_mm = length_of(item)});
+    pending_.pop_front();
   }
   planner.plan();
 }
 
 /// Executes the next block into `pending_`. False when nothing follows: the end, an error or the block limit.
-bool Simulation::take_block(program::PathSource& source) {
-  if (source.ended()) return false;
-  if (fed_blocks_ >= options_.most_blocks) {
-    if (auto flushed = source.flush(pending_); !flushed) summary_.error = flushed.error();
-    return false;
-  }
-  const auto executed = source.step(pending_);
-  geometry::run_in_step_grid(pending_, job_.settings.steps_per_mm);
+bool Simulation::take_block(program::CheckedPath& path) {
+  if (path.ended()) return false;
+  const bool is_cut = fed_blocks_ >= options_.most_blocks;
+  std::vector<geometry::PathItem> finished;
+  const auto executed = is_cut ? path.flush(finished) : path.step(finished);
+  geometry::run_in_step_grid(finished, job_.settings.steps_per_mm);
+  std::ranges::move(finished, std::back_inserter(pending_));
   ++fed_blocks_;
-  if (executed) return true;
-  summary_.error = executed.error();
-  return false;
+  if (!executed) summary_.error = executed.error();
+  return executed && !is_cut;
 }
 
 /// Items behind the machine are added up; of the one it is in, the way so far.
@@ -160,7 +165,7 @@ void Simulation::note_event(const geometry::PathItem& item) {
   const bool is_way = std::holds_alternative<geometry::Line>(item.what) ||
                       std::holds_alternative<geometry::Arc>(item.what) ||
                       std::holds_alternative<geometry::Mark>(item.what);
-  if (is_way) return;
+  if (is_way && !item.is_fourth_axis) return;
   const auto* dwell = std::get_if<geometry::Dwell>(&item.what);
   const double lasted_s = dwell == nullptr ? 0 : dwell->seconds;  // items are seen when they are over
   if (summary_.events.size() < kMostEvents)
@@ -176,7 +181,7 @@ std::optional<RunEnd> Simulation::end_of(const machine::Snapshot& now) const {
   if (rests && now.cause != machine::StopCause::none) return RunEnd::error;
   if (now.state == machine::MotionState::halted)
     return now.cause == machine::StopCause::programmed_halt ? RunEnd::halt : RunEnd::wait;
-  if (all_fed_ && waiting_.empty() && now.speed_mm_per_min == 0)
+  if (all_fed_ && pending_.empty() && waiting_.empty() && now.speed_mm_per_min == 0)
     return summary_.error ? RunEnd::error : RunEnd::block_limit;
   if (time_s() >= options_.most_seconds) return RunEnd::time_limit;
   return std::nullopt;
@@ -193,7 +198,7 @@ void Simulation::write_trace() {
       const double mm = static_cast<double>(point.steps[axis]) / job_.settings.steps_per_mm[axis];
       fmt::format_to(std::back_inserter(rows), ",{:.6f}", mm);
     }
-    fmt::format_to(std::back_inserter(rows), ",{:.3f},{},{},{}\n", point.speed_mm_per_min, point.spindle_rpm,
+    fmt::format_to(std::back_inserter(rows), ",{:.6f},{},{},{}\n", point.speed_mm_per_min, point.spindle_rpm,
                    point.source.program, point.source.block);
   }
   recording_.trace->write(rows.data(), static_cast<std::streamsize>(rows.size()));

@@ -10,7 +10,7 @@
 
 #include "machine/channel.hpp"
 #include "machine/simulated_machine.hpp"
-#include "program/path_source.hpp"
+#include "program/checked_path.hpp"
 #include "tool/job.hpp"
 
 namespace cnclab::tool {
@@ -72,8 +72,8 @@ class Simulation {
     double length_mm = 0;
   };
 
-  void feed(program::PathSource& source, motion::Planner& planner);
-  bool take_block(program::PathSource& source);
+  void feed(program::CheckedPath& path, motion::Planner& planner);
+  bool take_block(program::CheckedPath& path);
   void account(const machine::Snapshot& now);
   void note_event(const geometry::PathItem& item);
   void write_trace();
@@ -87,9 +87,9 @@ class Simulation {
   machine::SimulatedMachine machine_;
   StepRecorder recorder_;
   machine::Channel channel_;
-  std::deque<Waiting> waiting_;              ///< pushed and not yet passed
-  std::vector<geometry::PathItem> pending_;  ///< finished items on their way into the window
-  std::uint64_t passed_ = 0;                 ///< segments that the machine has passed
+  std::deque<Waiting> waiting_;             ///< pushed and not yet passed
+  std::deque<geometry::PathItem> pending_;  ///< finished and not yet pushed: a contour comes as a whole
+  std::uint64_t passed_ = 0;                ///< segments that the machine has passed
   std::uint64_t fed_blocks_ = 0;
   bool all_fed_ = false;
   double way_in_element_mm_ = 0;

@@ -24,7 +24,8 @@ struct Closer {
 std::expected<std::string, std::string> read_all(std::FILE* file, Tongue tongue) {
   std::string text;
   std::array<char, 65536> part{};
-  while (const std::size_t count = std::fread(part.data(), 1, part.size(), file)) {
+  for (std::size_t count = part.size(); count == part.size();) {
+    count = std::fread(part.data(), 1, part.size(), file);
     text.append(part.data(), count);
     if (text.size() > kLargestFile_bytes)
       return std::unexpected(say(tongue, "Datei größer als 64 MiB. Programme auf mehrere Dateien verteilen.",

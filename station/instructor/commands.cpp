@@ -28,10 +28,10 @@ std::string first_line_of(const std::string& file) {
 }
 
 const CLI::Validator& program_name() {
-  static const CLI::Validator validator(
+  static const CLI::Validator kValidator(
       [](std::string& text) { return program_number(text) ? std::string() : text + ": a program is P0000 to P9999"; },
       "P0001");
-  return validator;
+  return kValidator;
 }
 
 /// The subcommands below one app. An argument's value lives in the command's `Fill`, which shares it.
@@ -69,7 +69,7 @@ CLI::Option* needed(CLI::App& sub, const std::string& name, const std::shared_pt
 }
 
 void add_station_command(Table& table, const std::string& name, const std::string& description,
-                         std::function<void(v1::InstructorRequest&, std::uint32_t)> fill) {
+                         const std::function<void(v1::InstructorRequest&, std::uint32_t)>& fill) {
   const auto station = value<std::uint32_t>();
   auto& sub = table.add(name, description, [=](Command& command) { fill(command.request, *station); });
   needed(sub, "station", station, "1 to 15")->check(CLI::Range(1, kLastStation));
@@ -117,7 +117,7 @@ void add_switches(Table& table) {
 }
 
 const CLI::Validator& machine_datum() {
-  static const CLI::Validator validator(
+  static const CLI::Validator kValidator(
       [](std::string& text) {
         const auto equals = text.find('=');
         const bool is_pair = equals != std::string::npos && equals > 0 && equals + 1 < text.size();
@@ -128,7 +128,7 @@ const CLI::Validator& machine_datum() {
         return text + ": NN=VALUE is needed, e.g. 06=3000";
       },
       "NN=VALUE");
-  return validator;
+  return kValidator;
 }
 
 void add_machine(Table& table) {
@@ -249,11 +249,11 @@ void add_roster_files(Table& table) {
                            [=](Command& c) { c.request.mutable_import()->set_csv(content_of(*roster)); });
   needed(import, "file", roster, "CSV with name,password,language")->check(CLI::ExistingFile);
   const auto target = value<std::string>();
-  auto& export_ = table.add("export", "writes the roster", [=](Command& c) {
+  auto& exported = table.add("export", "writes the roster", [=](Command& c) {
     c.request.mutable_export_();
     c.content_file = *target;
   });
-  needed(export_, "file", target, "CSV to write");
+  needed(exported, "file", target, "CSV to write");
   const auto copy = value<std::string>();
   auto& backup = table.add("backup", "a consistent copy of the database", [=](Command& c) {
     c.request.mutable_backup();

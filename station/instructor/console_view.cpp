@@ -10,7 +10,6 @@
 namespace cnclab::instructor {
 namespace {
 
-using station::Language;
 using station::Text;
 
 constexpr int kMachineRow = 18, kTickRow = 19, kMessageRow = 21, kKeysRow = 23;
@@ -170,8 +169,9 @@ class Drawing {
                   fmt::format("{}-{} / {}", model_.page_top + 1, std::min(lines, model_.page_top + kPageLines), lines),
                   Attribute::bold);
     for (int i = 0; i < kPageLines && model_.page_top + i < lines; ++i)
-      screen_.write(kFirstSeatRow + i, 1, model_.page[static_cast<std::size_t>(model_.page_top + i)], Attribute::normal,
-                    Screen::kColumns - 2);
+      screen_.write(kFirstSeatRow + i, 1,
+                    model_.page[static_cast<std::size_t>(model_.page_top) + static_cast<std::size_t>(i)],
+                    Attribute::normal, Screen::kColumns - 2);
   }
 
   void draw_message() {

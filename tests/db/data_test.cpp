@@ -42,6 +42,30 @@ TEST(MachineData, EachChangeKeepsWhatWasBefore) {  // STO-005
             "none>3000 schueler01,3000>1000 lehrer");
 }
 
+TEST(MachineData, WhatWasStoredTogetherIsOneVersionAndComesBack) {  // STO-005
+  auto database = opened(":memory:");
+  const PersonId anna = add_student(database, "anna");
+  const Author first{"anna", 7, 1000}, second{"anna", 7, 2000}, third{"lehrer", 0, 2000};
+  database.put_machine_datum(anna, {12, 3000, 1}, first);
+  database.put_machine_datum(anna, {16, 40, 1}, first);
+  database.put_machine_datum(anna, {12, 2500, 1}, second);
+  database.put_machine_datum(anna, {22, 1, 1}, third);
+  database.put_machine_datum(add_student(database, "berta"), {12, 1, 1}, first);
+  const auto versions = database.machine_data_versions(anna);
+  ASSERT_EQ(versions.size(), 3U);
+  EXPECT_EQ(versions[0].numbers, (std::vector<int>{12, 16}));
+  EXPECT_EQ(versions[0].author.station, 7);
+  EXPECT_EQ(versions[2].version, 3);
+  EXPECT_EQ(versions[2].author.name, "lehrer");
+  using Values = std::map<int, std::int64_t>;
+  EXPECT_EQ(database.machine_data_at(anna, 0), Values());
+  EXPECT_EQ(database.machine_data_at(anna, 1), (Values{{12, 3000}, {16, 40}}));
+  EXPECT_EQ(database.machine_data_at(anna, 2), (Values{{12, 2500}, {16, 40}}));
+  EXPECT_EQ(database.machine_data_at(anna, 3), (Values{{12, 2500}, {16, 40}, {22, 1}}));
+  EXPECT_EQ(database.machine_data_at(anna, 4), std::nullopt);
+  EXPECT_EQ(database.machine_data_at(anna, -1), std::nullopt);
+}
+
 TEST(ControlState, IsKeptPerPersonAndReplaced) {  // SEAT-004
   auto database = opened(":memory:");
   const PersonId anna = add_student(database, "anna");

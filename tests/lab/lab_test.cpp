@@ -3,118 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include <condition_variable>
-#include <deque>
-#include <mutex>
-
-#include "cnclab/v1/envelope.pb.h"
 #include "language/tape.hpp"
-#include "shared/frame.hpp"
+#include "small_lab.hpp"
 
 namespace cnclab::lab {
 namespace {
 
-/// Keeps what it is told.
-struct FakePeer final : Peer {
-  void send(const v1::ServerMessage& message) override { sent.push_back(message); }
-  void hang_up(const std::string& why) override { reason = why; }
-  [[nodiscard]] std::string address() const override { return "127.0.0.1:4711"; }
-  std::deque<v1::ServerMessage> sent;
-  std::string reason;
-};
-
-/// A lab whose other threads' answers are run by `settle`.
-class LabTest : public testing::Test {
- protected:
-  LabTest() {
-    auto database = db::Database::open(":memory:").value();
-    for (const char* name : {"eva", "udo", "lehrer"}) {
-      db::Person person;
-      person.name = name;
-      person.role = std::string(name) == "lehrer" ? "instructor" : "student";
-      person.password_hash = hash_;
-      database.add_person(person, 1);
-    }
-    store_ = std::make_unique<db::Store>(std::move(database), post());
-    Clock clock{[this] { return now_ns_; }, [this] { return unix_ms_; }};
-    lab_ = std::make_unique<Lab>(Configuration{}, *store_, ticks_, post(), clock, Inheritance{});
-  }
-  ~LabTest() override {
-    lab_.reset();
-    store_.reset();
-  }
-
-  db::Post post() {
-    return [this](std::function<void()> job) {
-      const std::lock_guard lock(mutex_);
-      jobs_.push_back(std::move(job));
-      came_.notify_one();
-    };
-  }
-
-  /// Runs answers of other threads until `done`; gives up after 10 s of real time.
-  void settle_until(const std::function<bool()>& done) {
-    const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(10);
-    while (!done()) {
-      std::unique_lock lock(mutex_);
-      ASSERT_TRUE(came_.wait_until(lock, limit, [this] { return !jobs_.empty(); })) << "no answer came";
-      auto job = std::move(jobs_.front());
-      jobs_.pop_front();
-      lock.unlock();
-      job();
-    }
-  }
-
-  struct Caller {
-    std::shared_ptr<FakePeer> peer = std::make_shared<FakePeer>();
-    std::shared_ptr<Visit> visit;
-    [[nodiscard]] const v1::LoginAnswer* login() const {
-      for (auto it = peer->sent.rbegin(); it != peer->sent.rend(); ++it)
-        if (it->has_login()) return &it->login();
-      return nullptr;
-    }
-  };
-
-  Caller call(v1::ClientKind kind = v1::CLIENT_KIND_STATION, std::uint32_t version = kProtocolVersion) {
-    Caller caller;
-    caller.visit = lab_->welcome(caller.peer);
-    v1::ClientMessage hello;
-    hello.mutable_hello()->set_version(version);
-    hello.mutable_hello()->set_kind(kind);
-    lab_->receive(caller.visit, hello);
-    return caller;
-  }
-
-  void log_in(Caller& caller, const std::string& user, std::uint32_t station, const std::string& password = "geheim123",
-              v1::Elsewhere elsewhere = v1::ELSEWHERE_UNSPECIFIED) {
-    v1::ClientMessage message;
-    message.mutable_login()->set_user(user);
-    message.mutable_login()->set_password(password);
-    message.mutable_login()->set_station(station);
-    message.mutable_login()->set_elsewhere(elsewhere);
-    const std::size_t before = caller.peer->sent.size();
-    lab_->receive(caller.visit, message);
-    settle_until([&] { return caller.peer->sent.size() > before; });
-  }
-
-  void press(Caller& caller, Key key, std::uint64_t number) {
-    v1::ClientMessage message;
-    message.mutable_key()->set_number(number);
-    message.mutable_key()->add_keys(static_cast<v1::Key>(key));
-    message.mutable_key()->set_pressed(true);
-    lab_->receive(caller.visit, message);
-  }
-
-  static inline const std::string hash_ = hash_password("geheim123");
-  std::int64_t now_ns_ = 1'000'000'000;
-  std::int64_t unix_ms_ = 1'000'000'000'000;
-  std::mutex mutex_;
-  std::condition_variable came_;
-  std::deque<std::function<void()>> jobs_;
-  machine::TickThread ticks_;
-  std::unique_ptr<db::Store> store_;
-  std::unique_ptr<Lab> lab_;
-};
+class LabTest : public testing::Test, protected SmallLab {};
 
 TEST_F(LabTest, SEAT_002_AStudentLogsInAndSeesAScreen) {
   Caller eva = call();

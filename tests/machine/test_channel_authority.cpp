@@ -223,6 +223,19 @@ TEST(ChannelAuthority, AUTH010PowerOffStopsAtOnceAndPowerOnStartsNothing) {
   EXPECT_FALSE(rig.channel.snapshot().run_active);
 }
 
+TEST(ChannelAuthority, AUTH003OutputsKeepTheirStateButForThoseThatGoOffWithThePower) {
+  ChannelRig rig;
+  rig.channel.set_outputs_off_at_power_off({0b0000'0101, 0b1000'0000});
+  rig.run(Items().add(geometry::Output{1, 0, true}).add(geometry::Output{2, 0, true}));
+  ASSERT_EQ(rig.tick(5).outputs, (std::array<std::uint8_t, 2>{0xFF, 0xFF}));
+  rig.channel.stop(StopCause::machine_halt);
+  ASSERT_EQ(rig.tick(5).outputs, (std::array<std::uint8_t, 2>{0xFF, 0xFF})) << "a stop leaves them";
+  ASSERT_TRUE(rig.channel.command(PowerOff{}));
+  EXPECT_EQ(rig.tick(5).outputs, (std::array<std::uint8_t, 2>{0b1111'1010, 0b0111'1111}));
+  ASSERT_TRUE(rig.channel.command(PowerOn{}));
+  EXPECT_EQ(rig.tick(5).outputs, (std::array<std::uint8_t, 2>{0b1111'1010, 0b0111'1111})) << "power on starts nothing";
+}
+
 TEST(ChannelAuthority, FaultOfTheDriveIsAPowerOff) {
   ChannelRig rig;
   rig.run(long_way());

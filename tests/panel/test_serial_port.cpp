@@ -230,6 +230,14 @@ TEST_F(Remote, D_110_TheLineIsPolledInTheMenuAndInExternalData) {
   }
 }
 
+TEST_F(Remote, WhatComesWithTheConnectionIsHeard) {
+  bench.control.connect_line(false, bench.now);
+  bench.control.connect_line(true, bench.now);
+  heard();
+  say("!");
+  EXPECT_EQ(heard(), "P0001N001S%");
+}
+
 TEST_F(Remote, EXT_063_D_98_TheQueryIsAnsweredInEveryMode) {
   heard();
   say("!");

@@ -28,6 +28,9 @@ TEST(Options, EverythingGiven) {
   EXPECT_TRUE(options->is_ascii);
   EXPECT_TRUE(options->is_headless);
   EXPECT_EQ(options->door().kind, v1::CLIENT_KIND_STATION);
+  ASSERT_TRUE(options->door().media);
+  EXPECT_EQ(options->door().media->folder, "/tmp");
+  EXPECT_FALSE(options->door().media->is_default);
 }
 
 TEST(Options, OnlyTheServerIsNeeded) {

@@ -56,6 +56,10 @@ TEST(TestRun, ASoundProgramHasNoFindings) {
   EXPECT_NEAR(test.stock().removed_mm3(), (40 * 10 + 78.54) * 5, 25);
 }
 
+TEST(TestRun, TheFourthAxisIsNoWayOfTheTool_SYS_016) {
+  EXPECT_DOUBLE_EQ(run(order_of("P0001N001G11F1000N002G12U+5000N003G01X+3000%")).path_mm(), 3);
+}
+
 struct FindingRow {
   const char* name;
   std::string tape;

@@ -78,7 +78,20 @@ TEST_F(CheckTest, MachineDataDecideWhatIsTooFast) {
   const std::string broken = write("broken.md", "06 = fast\n");
   const Said refused = tool("check - --machine-data " + broken, kPicture7);
   EXPECT_EQ(refused.exit_code, 1);
-  EXPECT_THAT(refused.err, StartsWith(broken + ": "));
+  EXPECT_THAT(refused.err, StartsWith(broken + ":1: "));
+  const Said late = tool("check - --machine-data " + write("late.md", "06 = 3000\n\n99 = 5\n"), kPicture7);
+  EXPECT_EQ(late.exit_code, 1);
+  EXPECT_THAT(late.err, StartsWith(at("late.md") + ":3: MD 99"));
+}
+
+TEST_F(CheckTest, FaultsOfAToolTableNameItsOwnFile) {
+  const std::string tools = write("tools.cnc", "P0000\nT001R+5000\nT002R-5\n");
+  const std::string program = write("program.cnc", "P0000\nT002R-5\nP0001\nN001G17\n%\n");
+  const Said said = tool("check " + program + " --tools " + tools);
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.err, StartsWith(tools + ":3: P0000 T002: "));
+  EXPECT_THAT(said.err, testing::Not(HasSubstr(program)));
+  EXPECT_THAT(tool("check " + program).err, StartsWith(program + ":2: P0000 T002: "));
 }
 
 TEST_F(CheckTest, FilesThatAreNoneGetAClearWord) {
@@ -111,9 +124,11 @@ TEST_F(CheckTest, FilesThatAreNoneGetAClearWord) {
 }
 
 TEST_F(CheckTest, WrongCommandLinesAreUsageErrors) {
-  for (const char* arguments : {"", "check", "nonsense x", "check - --nonsense", "run - --program X1",
-                                "run - --program P0000", "run - --block N1000", "plot - --out x.svg --view zz",
-                                "plot -", "convert -", "run - --tick-ms 0", "check - --dialect fanuc"})
+  for (const char* arguments :
+       {"", "check", "nonsense x", "check - --nonsense", "run - --program X1", "run - --program P0000",
+        "run - --block N1000", "plot - --out x.svg --view zz", "plot -", "convert -", "run - --tick-ms 0",
+        "run - --max-blocks 0", "path - --max-blocks -1", "run - --max-seconds 0", "run - --max-seconds soon", "verify",
+        "check - --dialect fanuc"})
     EXPECT_EQ(tool(arguments, kPicture7).exit_code, 2) << arguments;
   EXPECT_EQ(tool("--help").exit_code, 0);
 }

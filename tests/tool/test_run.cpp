@@ -121,6 +121,30 @@ TEST_F(RunTest, AHaltIsAnEventOfAFinishedBlock_M000) {
   EXPECT_EQ(summary["events"][0]["signal"], true);
 }
 
+TEST_F(RunTest, TheFourthAxisIsAnEventAndNoWayOfTheTool_SYS_016) {
+  const Said said = tool("run -", "P0001N001G11F1000N002G12U+5000N003G01X+3000%");
+  ASSERT_EQ(said.exit_code, 0) << said.err;
+  const json summary = json::parse(said.out);
+  EXPECT_EQ(summary["path_mm"], 3);
+  EXPECT_EQ(summary["position"]["u"], 5);
+  ASSERT_EQ(summary["events"].size(), 2u);
+  EXPECT_EQ(summary["events"][0]["op"], "axis4");
+  EXPECT_EQ(summary["events"][0]["to"], 5);
+  EXPECT_EQ(summary["events"][0]["feed"], 1000);
+}
+
+/// Numbers that are not exact have six decimals at least (interfaces.md section 5).
+TEST_F(RunTest, TraceFeedsAreNotRoundedToThousandths) {
+  const std::string trace = at("trace.csv");
+  ASSERT_EQ(tool("run - --trace " + trace, "P0001N001G01X+10000F1000%").exit_code, 0);
+  bool is_fine = false;
+  for (const std::string& row : lines_of(read(trace))) {
+    const std::string feed = row.substr(0, row.rfind(',', row.rfind(',', row.rfind(',') - 1) - 1));
+    is_fine = is_fine || feed.size() - feed.rfind('.') > 6;
+  }
+  EXPECT_TRUE(is_fine);
+}
+
 TEST_F(RunTest, AnErrorStopsBehindTheLastGoodBlock) {
   const Said said = tool("run -", "P0001\nN001G00X+5000\nN002G01X+1000\n%");
   EXPECT_EQ(said.exit_code, 1);
@@ -198,6 +222,17 @@ TEST_F(RunTest, ProgramBlockToolsAndMachineDataAreHeeded) {
   EXPECT_THAT(missing.err, StartsWith("-: P0009: "));
   EXPECT_EQ(tool("path - --block N009", text).exit_code, 1);
   EXPECT_EQ(tool("path - --tools " + data, text).exit_code, 1);
+}
+
+TEST_F(RunTest, AStartInTheMiddleFindsTheStateOfTheBlocksBefore_DEC_26) {
+  const std::string text = "P0001N001G11F0500N002G90N003G00X+1000N004G01X+1000Y+1000%";
+  const Said said = tool("path - --block N004", text);
+  EXPECT_EQ(said.exit_code, 0) << said.err;
+  const json line = json::parse(lines_of(said.out).at(0));
+  EXPECT_EQ(line["feed"], 500);
+  EXPECT_EQ(line["to"]["x"], 1);
+  EXPECT_EQ(tool("check - --block N004", text).exit_code, 0);
+  EXPECT_EQ(json::parse(tool("run - --block N004", text).out)["blocks"], 1);
 }
 
 TEST_F(RunTest, PlotDrawsEveryView) {

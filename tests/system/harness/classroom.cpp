@@ -73,7 +73,8 @@ StationProcess Classroom::seat_behind(const TcpProxy& line, int station, const s
 Terminal Classroom::terminal(int station, const std::string& student, int rows, int columns) {
   return Terminal({.program = programs_folder() / "cnclab-station",
                    .arguments = station_arguments(station_options(station, student)),
-                   .environment = {{"XDG_STATE_HOME", (folder_.path() / "state").string()}},
+                   .environment = {{"XDG_STATE_HOME", (folder_.path() / "state").string()},
+                                   {"XDG_DATA_HOME", (folder_.path() / "state").string()}},
                    .rows = rows,
                    .columns = columns});
 }

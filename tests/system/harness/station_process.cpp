@@ -17,7 +17,9 @@ Launch launch_of(const StationOptions& options) {
                 .environment = {},
                 .stderr_file = options.log};
   launch.arguments.emplace_back("--headless");
-  if (!options.state_folder.empty()) launch.environment.emplace_back("XDG_STATE_HOME", options.state_folder.string());
+  if (!options.state_folder.empty())
+    for (const char* const variable : {"XDG_STATE_HOME", "XDG_DATA_HOME"})
+      launch.environment.emplace_back(variable, options.state_folder.string());
   return launch;
 }
 

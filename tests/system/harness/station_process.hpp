@@ -17,7 +17,7 @@ struct StationOptions {
   std::string user;
   std::filesystem::path password_file;
   std::filesystem::path new_password_file;  ///< answers a forced change
-  std::filesystem::path state_folder;       ///< XDG_STATE_HOME of the process: the known hosts
+  std::filesystem::path state_folder;       ///< XDG_STATE_HOME and XDG_DATA_HOME of the process
   std::filesystem::path log;                ///< its stderr; empty: the test's own
   std::vector<std::string> more;            ///< further arguments, e.g. --take-over
 };

@@ -1,0 +1,161 @@
+// Files between control and station, the server's end (interfaces.md section 7): chunk by chunk, in order, bounded.
+#include "lab/media_transfer.hpp"
+
+#include <gmock/gmock.h>
+
+#include "shared/frame.hpp"
+#include "shared/media_name.hpp"
+
+namespace cnclab::lab {
+namespace {
+
+using panel::GetFile;
+using panel::PutFiles;
+
+/// What a step comes to: "put P0001.nc 5", "chunk 0+4096", "ack 4096", "done", "read 5", "fault 0", "breach", "none".
+std::string told(const MediaTransfer::Step& step) {
+  if (step.is_breach) return "breach";
+  std::string text;
+  if (step.send && step.send->has_put_media())
+    text = "put " + step.send->put_media().name() + " " + std::to_string(step.send->put_media().size());
+  if (step.send && step.send->has_get_media()) text = "get " + step.send->get_media().names(0);
+  if (step.send && step.send->has_chunk())
+    text = "chunk " + std::to_string(step.send->chunk().offset()) + "+" +
+           std::to_string(step.send->chunk().data().size()) + (step.send->chunk().is_last() ? " last" : "");
+  if (step.send && step.send->has_chunk_ack()) text = "ack " + std::to_string(step.send->chunk_ack().next_offset());
+  if (!step.result) return text.empty() ? "none" : text;
+  if (!text.empty()) text += ", ";
+  if (!*step.result) return text + "fault " + std::to_string(static_cast<int>(step.result->error()));
+  return text + "done " + std::to_string((*step.result)->size());
+}
+
+v1::ChunkAck ack(std::uint32_t transfer, std::uint64_t next_offset) {
+  v1::ChunkAck message;
+  message.set_transfer(transfer);
+  message.set_next_offset(next_offset);
+  return message;
+}
+
+v1::Chunk chunk(std::uint32_t transfer, std::uint64_t offset, std::size_t size, bool is_last) {
+  v1::Chunk message;
+  message.set_transfer(transfer);
+  message.set_offset(offset);
+  message.set_data(std::string(size, 'x'));
+  message.set_is_last(is_last);
+  return message;
+}
+
+v1::MediaFailed failed(std::uint32_t transfer, v1::MediaFault fault) {
+  v1::MediaFailed message;
+  message.set_transfer(transfer);
+  message.set_fault(fault);
+  return message;
+}
+
+TEST(MediaTransfer, FilesGoOneAfterTheOtherEachChunkAfterItsAcknowledgement) {
+  MediaTransfer transfer(PutFiles{{{"P0001.tap", std::string(5000, 'a')}, {"P0001.txt", "abc"}}});
+  std::uint32_t numbers = 6;
+  EXPECT_EQ(told(transfer.begin(numbers)), "put P0001.tap 5000");
+  EXPECT_EQ(told(transfer.take(ack(7, 0), numbers)), "chunk 0+4096");
+  EXPECT_EQ(told(transfer.take(ack(6, 4096), numbers)), "none") << "of another transfer";
+  EXPECT_EQ(told(transfer.take(ack(7, 4096), numbers)), "chunk 4096+904 last");
+  EXPECT_EQ(told(transfer.take(ack(7, 5000), numbers)), "put P0001.txt 3");
+  EXPECT_EQ(told(transfer.take(ack(8, 0), numbers)), "chunk 0+3 last");
+  EXPECT_EQ(told(transfer.take(ack(8, 3), numbers)), "done 0");
+  EXPECT_FALSE(transfer.is_under_way());
+  EXPECT_EQ(numbers, 8U);
+}
+
+TEST(MediaTransfer, AFileIsReceivedAndEveryChunkAcknowledged) {
+  MediaTransfer transfer(GetFile{{"P0001.nc", "SPEICHER.nc"}});
+  std::uint32_t numbers = 0;
+  EXPECT_EQ(told(transfer.begin(numbers)), "get P0001.nc");
+  EXPECT_EQ(told(transfer.take(chunk(1, 0, 4096, false))), "ack 4096");
+  EXPECT_EQ(told(transfer.take(chunk(1, 4096, 904, true))), "ack 5000, done 5000");
+  EXPECT_EQ(told(transfer.take(chunk(1, 5000, 1, true))), "none") << "it is over";
+}
+
+TEST(MediaTransfer, ACutLineBeginsTheFileAnew) {  // SEAT-004
+  MediaTransfer transfer(PutFiles{{{"P0001.tap", "abc"}, {"P0001.txt", std::string(5000, 'a')}}});
+  std::uint32_t numbers = 0;
+  static_cast<void>(transfer.begin(numbers));
+  static_cast<void>(transfer.take(ack(1, 0), numbers));
+  static_cast<void>(transfer.take(ack(1, 3), numbers));
+  EXPECT_EQ(told(transfer.take(ack(2, 0), numbers)), "chunk 0+4096");
+  transfer.pause();
+  std::uint32_t numbers_of_the_new_line = 0;
+  EXPECT_EQ(told(transfer.begin(numbers_of_the_new_line)), "put P0001.txt 5000") << "the first one is there";
+  EXPECT_EQ(told(transfer.take(ack(1, 0), numbers_of_the_new_line)), "chunk 0+4096");
+}
+
+TEST(MediaTransfer, AStationThatDoesNotKeepToTheOrderIsABreach) {  // SEC-006
+  const struct {
+    const char* name;
+    panel::MediaRequest request;
+    std::function<MediaTransfer::Step(MediaTransfer&, std::uint32_t&)> act;
+  } kRows[] = {
+      {"acknowledges ahead", PutFiles{{{"P0001.nc", "abc"}}}, [](auto& t, auto& n) { return t.take(ack(1, 1), n); }},
+      {"sends unasked", PutFiles{{{"P0001.nc", "abc"}}}, [](auto& t, auto&) { return t.take(chunk(1, 0, 1, true)); }},
+      {"acknowledges nothing", GetFile{{"P0001.nc"}}, [](auto& t, auto& n) { return t.take(ack(1, 0), n); }},
+      {"leaves a gap", GetFile{{"P0001.nc"}}, [](auto& t, auto&) { return t.take(chunk(1, 1, 1, true)); }},
+      {"sends nothing", GetFile{{"P0001.nc"}}, [](auto& t, auto&) { return t.take(chunk(1, 0, 0, true)); }},
+      {"too large a chunk", GetFile{{"P0001.nc"}}, [](auto& t, auto&) { return t.take(chunk(1, 0, 4097, true)); }},
+  };
+  for (const auto& row : kRows) {
+    MediaTransfer transfer(row.request);
+    std::uint32_t numbers = 0;
+    static_cast<void>(transfer.begin(numbers));
+    EXPECT_EQ(told(row.act(transfer, numbers)), "breach") << row.name;
+  }
+}
+
+TEST(MediaTransfer, MoreThanAnnouncedIsABreach) {  // SEC-006
+  MediaTransfer transfer(GetFile{{"P0001.nc"}});
+  std::uint32_t numbers = 0;
+  static_cast<void>(transfer.begin(numbers));
+  for (std::uint64_t offset = 0; offset < kLargestMediaRead; offset += kLargestChunk)
+    ASSERT_EQ(told(transfer.take(chunk(1, offset, kLargestChunk, false))),
+              "ack " + std::to_string(offset + kLargestChunk));
+  EXPECT_EQ(told(transfer.take(chunk(1, kLargestMediaRead, 1, true))), "breach");
+}
+
+TEST(MediaTransfer, WhatIsNoMediumNeverLeaves) {
+  for (const panel::MediaFile& file : {panel::MediaFile{"../x.nc", "a"}, panel::MediaFile{"P0001.nc", ""},
+                                       panel::MediaFile{"P0001.nc", std::string(kLargestMediaWritten + 1, 'a')}}) {
+    MediaTransfer transfer(PutFiles{{file}});
+    std::uint32_t numbers = 0;
+    const auto step = transfer.begin(numbers);
+    EXPECT_FALSE(step.send) << file.name;
+    ASSERT_TRUE(step.result);
+    EXPECT_EQ(step.result->error(), MediaProblem::refused);
+  }
+}
+
+TEST(MediaTransfer, EveryFaultHasItsSentenceInBothLanguages) {
+  const std::vector<std::pair<v1::MediaFault, std::string>> rows{
+      {v1::MEDIA_FAULT_NOT_FOUND, "liegt nicht im Dateiordner"},
+      {v1::MEDIA_FAULT_NO_ROOM, "ist voll"},
+      {v1::MEDIA_FAULT_NOT_READABLE, "nicht lesbar"},
+      {v1::MEDIA_FAULT_NOT_WRITABLE, "nicht beschreibbar"},
+      {v1::MEDIA_FAULT_TOO_LARGE, "größer als 1 MiB"},
+      {v1::MEDIA_FAULT_REFUSED, "abgelehnt"},
+      {v1::MEDIA_FAULT_NO_FOLDER, "Dateiordner des Platzes fehlt"}};
+  for (const auto& [fault, part] : rows) {
+    MediaTransfer transfer(GetFile{{"P0001.nc"}});
+    std::uint32_t numbers = 0;
+    static_cast<void>(transfer.begin(numbers));
+    const auto step = transfer.take(failed(1, fault));
+    ASSERT_TRUE(step.result && !*step.result) << part;
+    EXPECT_THAT(media_sentence(step.result->error(), transfer.file(), language::Tongue::german),
+                testing::HasSubstr(part));
+  }
+  for (int problem = 0; problem <= static_cast<int>(MediaProblem::silent); ++problem)
+    for (const auto tongue : {language::Tongue::german, language::Tongue::english}) {
+      const std::string sentence = media_sentence(static_cast<MediaProblem>(problem), "DRUCK-P0001.txt", tongue);
+      EXPECT_GT(sentence.size(), 20U) << problem;
+      EXPECT_LE(sentence.size(), 110U) << sentence;
+    }
+}
+
+}  // namespace
+}  // namespace cnclab::lab

@@ -1,0 +1,89 @@
+// `cnclab-tool verify`: the blocks' check codes and the database's own soundness (interfaces.md section 5, SYS-018).
+#include <gmock/gmock.h>
+
+#include "db/database.hpp"
+#include "language/tape.hpp"
+#include "tool_process.hpp"
+
+namespace cnclab::tool {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+using testing::StartsWith;
+
+constexpr std::int64_t kNow_ms = 1000;
+
+class VerifyTest : public ToolTest {
+ protected:
+  /// A lab with one student who has stored these blocks, each as (program, number, text).
+  struct Row {
+    std::uint16_t program = 1;
+    int number = 1;
+    std::string text;
+    std::uint32_t wrong_by = 0;  ///< added to the right check code
+  };
+  std::string make_lab(const std::vector<Row>& rows) {
+    auto database = db::Database::open(at("lab.db"));
+    if (!database) throw std::runtime_error(database.error().text);
+    db::Person anna;
+    anna.name = "anna";
+    anna.role = "student";
+    const db::PersonId id = database->add_person(anna, kNow_ms).value();
+    for (const Row& row : rows)
+      database->put_block(id, row.program,
+                          {row.number, row.text, language::check_code(row.program, row.text) + row.wrong_by},
+                          {"anna", 1, kNow_ms});
+    return at("lab.db");
+  }
+};
+
+TEST_F(VerifyTest, ASoundLabIsZero) {
+  const Said said = tool("verify " + make_lab({{1, 1, "N001G00X+1000"}, {0, 5, "T005R+5000L+0"}, {1, 2, "N002G17"}}));
+  EXPECT_EQ(said.exit_code, 0) << said.err;
+  EXPECT_EQ(said.out, "1 people, 2 programs, 3 blocks: 0 faults\n");
+  EXPECT_EQ(said.err, "");
+}
+
+TEST_F(VerifyTest, EveryBlockWithAnotherCheckCodeIsNamed_SYS_018_ERR_010) {
+  const std::string file = make_lab(
+      {{1, 1, "N001G17"}, {1, 2, "N002G18", 1}, {1, 3, "N003G19"}, {7, 10, "N010G90", 1}, {0, 5, "T005R+5000L+0", 1}});
+  const Said said = tool("verify " + file);
+  EXPECT_EQ(said.exit_code, 1);
+  for (const char* place : {": P0001 N002: anna: ", ": P0007 N010: anna: ", ": P0000 T005: anna: "})
+    EXPECT_THAT(said.err, HasSubstr(file + place));
+  EXPECT_THAT(said.err, AllOf(Not(HasSubstr("N001")), Not(HasSubstr("N003"))));
+  EXPECT_THAT(said.out, HasSubstr("3 faults"));
+}
+
+TEST_F(VerifyTest, ABlockUnderAnothersNumberOrUnreadableIsDamaged_ERR_011) {
+  const Said said = tool("verify " + make_lab({{1, 4, "N001G17"}, {1, 5, "N005G99"}}));
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.err, AllOf(HasSubstr("P0001 N004"), HasSubstr("P0001 N005")));
+}
+
+TEST_F(VerifyTest, ABrokenFileIsSaidAndLeftAsItIs_STO_008) {
+  const std::string file = make_lab({{1, 1, "N001G17"}});
+  std::string bytes = read(file);
+  ASSERT_GT(bytes.size(), 8192u);
+  bytes.resize(bytes.size() - 4096);
+  write("lab.db", bytes);
+  const Said said = tool("verify " + file);
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.err, StartsWith(file + ": "));
+  EXPECT_EQ(read(file), bytes);
+}
+
+TEST_F(VerifyTest, WhatIsNoDatabaseIsSaid) {
+  for (const std::string& file : {at("missing.db"), write("program.cnc", kPicture7), write("empty.db", "")}) {
+    const Said said = tool("verify " + file);
+    EXPECT_EQ(said.exit_code, 1) << file;
+    EXPECT_THAT(said.err, StartsWith(file + ": ")) << file;
+    EXPECT_EQ(said.out, "") << file;
+  }
+  EXPECT_EQ(tool("verify").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace cnclab::tool
