@@ -57,6 +57,7 @@ class Console {
   void store_value(const Reply& reply, const std::string& key, const std::string& value,
                    std::function<void(Lab&, const std::string&)> then) const;
   void input(const Reply& reply, const v1::SetInput& request) const;
+  void remote(const Reply& reply, const v1::SetRemote& request) const;
   void machine_data(const Reply& reply, const v1::ChangeMachineData& request) const;
 
   // console_classroom.cpp

@@ -34,6 +34,7 @@ const Console::Row Console::kRows[] = {
     {R::kPowerOff, [](auto& c, auto& reply, auto&) { c.decided(reply, PowerSwitched{false}); }},
     {R::kPowerOn, [](auto& c, auto& reply, auto&) { c.decided(reply, PowerSwitched{true}); }},
     {R::kInput, Row::with<&Console::input, &R::input>},
+    {R::kRemote, Row::with<&Console::remote, &R::remote>},
     {R::kMachineData, Row::with<&Console::machine_data, &R::machine_data>},
     {R::kTools, Row::with<&Console::tools, &R::tools>},
     {R::kWorkpiece, Row::with<&Console::workpiece, &R::workpiece>},

@@ -65,6 +65,7 @@ Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& tic
       recorder_(store, channel_, RunRecorder::Keeps::trace) {
   channel_->set_outputs_off_at_power_off(output_lines(configuration_.outputs_off_at_power_off));
   if (!ticks_.add(channel_)) throw std::runtime_error("the tick has no place for the lab's machine");
+  remote_.fill(configuration_.remote);
   beats_.advance(clock_.monotonic_ns());
   keep_epoch();
   write_journal("server_start", "nobody has control, position unreferenced");  // AUTH-012
@@ -162,6 +163,7 @@ void Lab::poll() {
     if (!desk->is_seated() && now_ns >= desk->keep_until_ns) dismiss(desk);
     if (now_ns - desk->last_saved_ns >= 10 * kSecond_ns) save_state(desk);
   }
+  follow_lines(now_ns);
   draw_due(now_ns);
   watch_connections(now_ns);
   if (now_ns - journal_flushed_ns_ >= kSecond_ns / 5) flush_journal();

@@ -282,6 +282,7 @@ void Lab::sit_down(const VisitPtr& visit, const DeskPtr& desk, int station) {
   if (desk->storing) desk->storing = 0;  // an input of the former connection: nothing to acknowledge here
   desk->labor.reset();
   desk->is_dirty = true;
+  fit_line(*desk, !visit->login.user().empty());  // a reconnect has no login of its own: its token stays
   auto message = answer_with(v1::LOGIN_RESULT_OK, "");
   auto& login = *message.mutable_login();
   login.set_user(desk->person.name);
@@ -315,6 +316,7 @@ void Lab::vacate(const VisitPtr& visit, const std::string& why) {
   static_cast<void>(decide(LoggedOut{desk->login, why}, configuration_.tongue));
   desk->login = kNoLogin;
   desk->stop_training();
+  cut_lines_of(*desk);
   for (const auto& order : desk->media)
     if (order->transfer) order->transfer->pause();  // begins anew when the line is back
   desk->waiting.clear();

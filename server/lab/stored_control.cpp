@@ -152,11 +152,16 @@ std::string change_text(const panel::StoreRequest& request) {
     return fmt::format("insert P{:04} N{:03}", insert->program, insert->block.number);
   if (const auto* erase = std::get_if<panel::DeleteBlock>(&request))
     return fmt::format("delete P{:04} N{:03}", erase->program, erase->block);
+  std::string text;
   if (const auto* remove = std::get_if<panel::RemovePrograms>(&request)) {
-    std::string text = "remove";
     for (const auto number : remove->programs) text += fmt::format(" P{:04}", number);
-    return text;
+    return "remove" + text;
   }
+  if (const auto* put = std::get_if<panel::PutPrograms>(&request)) {
+    for (const auto& program : put->programs) text += fmt::format(" P{:04}", program.number);
+    return "read" + text + (put->data ? " machine data" : "");
+  }
+  if (std::holds_alternative<panel::EraseMemory>(request)) return "erase the whole memory";
   return "machine data";
 }
 
