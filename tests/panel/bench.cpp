@@ -59,6 +59,11 @@ void Bench::answer(const Outcome& outcome) {
     }
     control.media_done(answer);
   }
+  line_news.insert(line_news.end(), outcome.line_news.begin(), outcome.line_news.end());
+  if (outcome.remote_start) {
+    remote_starts.push_back(*outcome.remote_start);
+    answer(control.answer_remote_start(remote_refusal, now));
+  }
   if (!control.is_storing()) return;
   ++stores_;
   control.store_done(next_store_error_.value_or(""));
