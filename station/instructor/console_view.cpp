@@ -99,6 +99,7 @@ class Drawing {
     if (at_seat->running()) put(kRunning, "●");
     put(kLink, at_seat->connected() ? say({"ja", "yes"}) : say({"FEHLT", "LOST"}));
     if (at_seat->meldung() != 0) put(kHand, fmt::format("{}.", at_seat->meldung()));
+    if (at_seat->remote() && control_of(seat).empty()) put(kControl, "REMOTE");  // its control listens to a computer
     if (at_seat->locked()) put(kControl, say({"gesperrt", "locked"}));
     if (!at_seat->taken_by().empty()) put(kControl, at_seat->taken_by());
   }
