@@ -111,7 +111,7 @@ void Console::run_replay(const Reply& reply, const v1::RunName& request) const {
       },
       [reply, number = request.run()](const Console& console, const RecordedRun& run) {
         Lab& lab = console.lab_;
-        lab.long_work_.enqueue([&lab, post = lab.post_, alive = lab.alive_, reply, number, run] {
+        lab.background_.enqueue([&lab, post = lab.post_, alive = lab.alive_, reply, number, run] {
           post([&lab, alive, reply, number, result = replay(run)] {
             if (*alive && reply.visit->stage == Stage::at_console)
               Console(lab).send(reply, {replay_item(number, result)});

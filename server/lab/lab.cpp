@@ -226,7 +226,7 @@ void Lab::flush_journal() {
   store_.run([entries](db::Database& database) { database.add_journal(*entries); },
              [this, entries, alive = alive_](const std::expected<void, db::StoreError>& result) {
                if (result || !*alive) return;
-               spdlog::error("journal: {}", result.error().text);
+               spdlog::error("journal: {}", result.error().detail);
                // Written with the next ones, when there is room again (STO-009); the oldest go first where it lasts.
                const std::size_t room = kMostUnwritten - std::min(kMostUnwritten, journal_.size());
                const auto kept = static_cast<std::ptrdiff_t>(std::min(entries->size(), room));
@@ -255,6 +255,10 @@ void Lab::keep_house(std::int64_t now_ns) {
 
 std::string Lab::say(language::Tongue tongue, const char* german, const char* english) const {
   return tongue == language::Tongue::german ? german : english;
+}
+
+std::string Lab::sentence_for(const db::StoreError& error, language::Tongue tongue) {
+  return std::string(db::explain(error.kind, tongue == language::Tongue::german ? "de" : "en"));
 }
 
 language::Tongue Lab::tongue_of(const db::Person& person) const {

@@ -117,6 +117,8 @@ class Lab {
   void keep_house(std::int64_t now_ns);
   [[nodiscard]] std::string say(language::Tongue tongue, const char* german, const char* english) const;
   [[nodiscard]] language::Tongue tongue_of(const db::Person& person) const;
+  /// What the screen that wanted to store says (STO-009).
+  [[nodiscard]] static std::string sentence_for(const db::StoreError& error, language::Tongue tongue);
 
   // lab_login.cpp
   void greet(const VisitPtr& visit, const v1::ClientMessage& message);
@@ -184,7 +186,7 @@ class Lab {
 
   // lab_media.cpp
   void order_media(const DeskPtr& desk, panel::MediaRequest request, MediaOrder::From from);
-  void print(const DeskPtr& desk, const std::shared_ptr<MediaOrder>& order, const panel::PutFiles& put);
+  void print(const DeskPtr& desk, const std::shared_ptr<MediaOrder>& order, const panel::MediaFile& pdf);
   [[nodiscard]] bool controls_machine(const Desk& desk) const;
   void go_on_with_media(const DeskPtr& desk);
   void media_step(const VisitPtr& visit, const DeskPtr& desk, MediaTransfer::Step step);
@@ -254,8 +256,10 @@ class Lab {
   db::Post post_;
   Clock clock_;
   PasswordWorker passwords_;
-  WorkerThread long_work_;  ///< of the controls: checks before a start
-  WorkerThread printing_;   ///< waits for the printer
+  // What a START waits for never waits behind a test run, nor that behind a printer.
+  WorkerThread long_work_;   ///< checks before a start
+  WorkerThread pictures_;    ///< test runs of GRAFIK, portion by portion in turn; printed pages
+  WorkerThread background_;  ///< replays, the printer
   LoginGuard guard_;
   LoginGuard line_guard_;  ///< of serial lines: their wrong tokens delay no login
   Beats beats_;

@@ -190,7 +190,7 @@ void Lab::store(const DeskPtr& desk, panel::StoreRequest request, std::uint64_t 
         if (!*alive || !stored) return;
         if (!result) spdlog::error("{}: not stored: {}", stored->person.name, result.error().text);
         stored->storing.reset();
-        stored->control.store_done(result ? std::string() : result.error().text);
+        stored->control.store_done(result ? "" : sentence_for(result.error(), tongue_of(stored->person)));
         stored->is_dirty = true;
         pump(stored);
         draw(stored, clock_.monotonic_ns());
@@ -212,7 +212,7 @@ void Lab::save_state(const DeskPtr& desk) {
   store_.run([id = desk->person.id, state = std::move(state),
               time = clock_.unix_ms()](db::Database& database) { database.put_control_state(id, state, time); },
              [name = desk->person.name](const std::expected<void, db::StoreError>& result) {
-               if (!result) spdlog::error("{}: state not stored: {}", name, result.error().text);
+               if (!result) spdlog::error("{}: state not stored: {}", name, result.error().detail);
              });
 }
 

@@ -97,7 +97,8 @@ void Lab::log_in(const VisitPtr& visit, const v1::Login& login) {
   store_.run([name = login.user()](db::Database& database) { return database.person(name); },
              [this, visit, alive = alive_](const std::expected<std::optional<db::Person>, db::StoreError>& found) {
                if (!*alive || visit->stage != Stage::checking) return;
-               if (!found) return refuse(visit, v1::LOGIN_RESULT_REFUSED, found.error().text);
+               if (!found)
+                 return refuse(visit, v1::LOGIN_RESULT_REFUSED, sentence_for(found.error(), configuration_.tongue));
                const auto& person = *found;
                const bool active = person && !person->archived_ms;
                passwords_.verify(visit->login.password(), active ? person->password_hash : std::string(),
@@ -213,11 +214,13 @@ void Lab::load_desk(const VisitPtr& visit) {
   store_.run([id = visit->person.id](db::Database& database) { return read_control(database, id); },
              [this, visit, alive = alive_](const std::expected<StoredControl, db::StoreError>& stored) {
                if (!*alive || visit->stage != Stage::checking) return;
-               if (!stored) return refuse(visit, v1::LOGIN_RESULT_REFUSED, stored.error().text);
+               if (!stored)
+                 return refuse(visit, v1::LOGIN_RESULT_REFUSED, sentence_for(stored.error(), tongue_of(visit->person)));
                if (desk_of(visit->person.id)) return admit_station(visit);  // the same student was faster elsewhere
                const auto& person = visit->person;
                panel::Settings settings = settings_for(configuration_, person, tongue_of(person));
                settings.long_work = [this](std::function<void()> job) { long_work_.enqueue(std::move(job)); };
+               settings.picture_work = [this](std::function<void()> job) { pictures_.enqueue(std::move(job)); };
                const auto desk = std::make_shared<Desk>(person, std::move(settings),
                                                         memory_of(stored->programs, configuration_.memory_bytes),
                                                         machine_data_of(stored->machine_data), ticks_, store_);

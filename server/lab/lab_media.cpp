@@ -31,26 +31,25 @@ const panel::MediaFile* pages_of(const panel::PutFiles& put) {
 }  // namespace
 
 void Lab::order_media(const DeskPtr& desk, panel::MediaRequest request, MediaOrder::From from) {
+  if (from == MediaOrder::From::hardcopy && desk->media.size() >= kMostOrders) return;
   const auto order = std::make_shared<MediaOrder>();
   order->from = from;
   const auto* put = std::get_if<panel::PutFiles>(&request);
-  const bool goes_to_printer = put != nullptr && put->is_printed && !configuration_.printer_queue.empty();
-  if (goes_to_printer) print(desk, order, *put);
+  const bool is_for_paper = put != nullptr && put->is_printed && !configuration_.printer_queue.empty();
+  const panel::MediaFile* const pages = is_for_paper ? pages_of(*put) : nullptr;
+  if (pages != nullptr) print(desk, order, *pages);
   // What is printed needs no folder.
   const VisitPtr visit = desk->visit.lock();
-  const bool may_stay_away = goes_to_printer && (!visit || !visit->has_media || controls_machine(*desk));
+  const bool may_stay_away = pages != nullptr && (!visit || !visit->has_media || controls_machine(*desk));
   if (!may_stay_away) order->transfer.emplace(std::move(request));
-  if (from == MediaOrder::From::hardcopy && desk->media.size() >= kMostOrders) return;
   desk->media.push_back(order);
   go_on_with_media(desk);
 }
 
-void Lab::print(const DeskPtr& desk, const std::shared_ptr<MediaOrder>& order, const panel::PutFiles& put) {
-  const panel::MediaFile* pages = pages_of(put);
-  if (pages == nullptr) return;
+void Lab::print(const DeskPtr& desk, const std::shared_ptr<MediaOrder>& order, const panel::MediaFile& pdf) {
   order->is_printing = true;
-  printing_.enqueue([this, alive = alive_, post = post_, weak = std::weak_ptr(desk), order, pages = *pages,
-                     queue = configuration_.printer_queue] {
+  background_.enqueue([this, alive = alive_, post = post_, weak = std::weak_ptr(desk), order, pages = pdf,
+                       queue = configuration_.printer_queue] {
     const auto printed = print_pages(queue, pages.name, pages.bytes);
     post([this, alive, weak, order, printed] {
       if (!*alive) return;
@@ -156,9 +155,9 @@ void Lab::print_screen(const DeskPtr& desk) {
   const std::string title = say(tongue, "Platz ", "Station ") + std::to_string(desk->station) + "  " +
                             desk->person.name + "  " + time.substr(0, 10) + " " + time.substr(11, 8);
   desk->control.order_picture();
-  long_work_.enqueue([this, alive = alive_, post = post_, weak = std::weak_ptr(desk),
-                      screen = desk->control.draw(now(*desk), side_view(*desk, clock_.monotonic_ns())), title,
-                      name = hardcopy_name(clock_.unix_ms())] {
+  pictures_.enqueue([this, alive = alive_, post = post_, weak = std::weak_ptr(desk),
+                     screen = desk->control.draw(now(*desk), side_view(*desk, clock_.monotonic_ns())), title,
+                     name = hardcopy_name(clock_.unix_ms())] {
     post([this, alive, weak, files = hardcopy_of(screen, title, name)]() mutable {
       const DeskPtr owner = weak.lock();
       if (*alive && owner) order_media(owner, std::move(files), MediaOrder::From::hardcopy);

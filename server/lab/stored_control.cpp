@@ -61,9 +61,10 @@ struct CarryOut {
     database.transaction([&] {
       for (const auto& form : machine::datum_forms()) {
         const db::StoredDatum datum = stored_datum(form.number, put.data.get(form.number));
-        const bool stands_there = std::ranges::any_of(before, [&](const db::StoredDatum& old) {
-          return old.number == datum.number && old.value == datum.value && old.check_code == datum.check_code;
-        });
+        const auto old = std::ranges::find(before, datum.number, &db::StoredDatum::number);
+        const bool stands_there = old == before.end()  // what is missing has its default
+                                      ? datum.value == machine::MachineData{}.get(form.number)
+                                      : old->value == datum.value && old->check_code == datum.check_code;
         if (!stands_there) database.put_machine_datum(person, datum, author);
       }
     });

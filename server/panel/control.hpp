@@ -46,7 +46,8 @@ struct Settings {
   bool keys_19inch = false;  ///< the memory test is called by 1+4+7 instead of 3+6+9 (D-17)
   std::array<bool, 3> io_cards{true, true, true};  ///< which are fitted (D-124)
   bool rests_accumulate = false;                   ///< rests below one step add up as on the original (DEC-05)
-  LongWork long_work = do_at_once;                 ///< who does what takes longer than a key may
+  LongWork long_work = do_at_once;                 ///< who does what a START waits for
+  LongWork picture_work = do_at_once;              ///< … and what may take its time: test runs, printed pages
 };
 
 /// Local date and time for the header line (DEC-10).

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "panel/machine_data_mode.hpp"
 #include "shared/media_name.hpp"
 #include "transfer/punched_tape.hpp"
 
@@ -96,13 +97,16 @@ void print(ExternalDataMode& mode, ControlState& state, std::vector<language::Pr
   const std::string what = mode.takes_all ? "" : "  " + program_word(*chosen(mode));
   std::string file = media_name(MediaKind::tape_text, chosen(mode));
   file = "DRUCK-" + file.substr(0, file.find('.'));
-  mode.print.emplace(state.settings.long_work, PrintOrder{.programs = std::move(programs),
-                                                          .time_stamp = time,
-                                                          .header = {.what = "CNC 3300" + what,
-                                                                     .student = state.settings.student,
-                                                                     .date = time,
-                                                                     .tongue = state.tongue()},
-                                                          .file = std::move(file)});
+  mode.print.emplace(
+      state.settings.picture_work,
+      PrintOrder{.programs = std::move(programs),
+                 .machine_data = mode.takes_all ? machine_data_list(state.data, state.tongue()) : std::string(),
+                 .time_stamp = time,
+                 .header = {.what = "CNC 3300" + what,
+                            .student = state.settings.student,
+                            .date = time,
+                            .tongue = state.tongue()},
+                 .file = std::move(file)});
 }
 
 void write(ExternalDataMode& mode, ControlState& state) {

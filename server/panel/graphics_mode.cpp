@@ -71,7 +71,7 @@ void begin_test(GraphicsMode& mode, ControlState& state) {
   mode.program.typed = 0;
   if (program == nullptr)
     return state.complain(Error{.code = ErrorCode::program_missing, .detail = program_word(number)});
-  auto test = GraphicTest::begin(order_of(state, *program), state.settings.long_work);
+  auto test = GraphicTest::begin(order_of(state, *program), state.settings.picture_work);
   if (!test) return state.complain(test.error());
   mode.test.emplace(std::move(*test));
   mode.view = {};

@@ -1,6 +1,8 @@
 // Keys and screen of the machine data; which values are allowed is machine_data.hpp's.
 #include "panel/machine_data_mode.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 
@@ -137,6 +139,14 @@ void draw(const MachineDataMode& mode, const ControlState& state, Monitor& monit
   monitor.write(kRow, kNameColumn, text(name_of_datum(mode.number)->text, state.tongue()));
   monitor.write(kRow, kValueColumn, value_text(mode), Attribute::inverse);
   if (const machine::DatumForm* form = form_of(mode.number)) monitor.write(kRow, kUnitColumn, form->unit);
+}
+
+std::string machine_data_list(const machine::MachineData& data, language::Tongue tongue) {
+  std::string list = std::string(title_of(Mode::machine_data, tongue)) + "\n\n";
+  for (const machine::DatumForm& form : machine::datum_forms())
+    list += fmt::format("{:02}  {:<22} {:>8} {}\n", form.number, text(name_of_datum(form.number)->text, tongue),
+                        data.get(form.number), form.unit);
+  return list;
 }
 
 std::string sentence_of(const MachineDataMode& mode, const ControlState& state) {

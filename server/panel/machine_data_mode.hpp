@@ -27,4 +27,7 @@ void stored(MachineDataMode& mode, ControlState& state, const StoreRequest& requ
 /// Shows the datum and its present value, which the first digit replaces.
 void show_datum(MachineDataMode& mode, const ControlState& state, int number);
 
+/// The list that the printer gives: "06  F MAX                     3000 mm/min", one datum per line.
+[[nodiscard]] std::string machine_data_list(const machine::MachineData& data, language::Tongue tongue);
+
 }  // namespace cnclab::panel

@@ -18,6 +18,7 @@ PutFiles printed(const PrintOrder& order) {
     if (!list.empty()) list += '\n';
     list += language::write_listing(program, order.time_stamp, order.header.tongue);
   }
+  if (!order.machine_data.empty()) list += "\n" + order.machine_data;
   const std::vector<transfer::PrintPage> pages = transfer::set_pages(list, order.header);
   std::vector<drawing::Picture> pictures;
   pictures.reserve(pages.size());

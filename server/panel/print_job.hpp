@@ -15,6 +15,7 @@ namespace cnclab::panel {
 
 struct PrintOrder {
   std::vector<language::Program> programs;  ///< one after another (D-108)
+  std::string machine_data{};               ///< the list behind them; empty: none
   std::string time_stamp;                   ///< of printing, "09:00:00 16/06/83"
   transfer::PrintHeader header;
   std::string file;  ///< name without ending

@@ -92,7 +92,7 @@ struct Worker {
 
 TEST(Graphics, TheLabIsNeverHeldUp) {
   Worker worker;
-  Bench bench({.settings = {.long_work = worker.taking()}, .tape = std::string(kPart)});
+  Bench bench({.settings = {.picture_work = worker.taking()}, .tape = std::string(kPart)});
   bench.keys("GRAFIK ENTER START 4 5 MINUS_X");
   bench.run_for(100);
   EXPECT_EQ(worker.jobs.size(), 1u) << "one portion at a time";
@@ -108,7 +108,7 @@ TEST(Graphics, TheLabIsNeverHeldUp) {
 
 TEST(Graphics, LeavingDoesNotWaitForAPortion) {
   Worker worker;
-  Bench bench({.settings = {.long_work = worker.taking()}, .tape = std::string(kPart)});
+  Bench bench({.settings = {.picture_work = worker.taking()}, .tape = std::string(kPart)});
   bench.keys("GRAFIK ENTER START");
   bench.keys("MENU GRAFIK ENTER START");
   worker.work();  // the abandoned portion comes to nothing
@@ -118,11 +118,43 @@ TEST(Graphics, LeavingDoesNotWaitForAPortion) {
   EXPECT_THAT(bench.row(18), HasSubstr("Eilgang im Material"));
 }
 
+TEST(Graphics, AStartNeverWaitsForATestRun) {
+  Worker pictures;
+  Bench bench({.settings = {.picture_work = pictures.taking()},
+               .tape = "P0000T001R+5000L+0P0001N001G41N002G11F1000T01N003G01X+1000N004G40N005G01X+1000%"});
+  bench.keys("GRAFIK ENTER START");
+  bench.run_for(20);
+  ASSERT_EQ(pictures.jobs.size(), 1u) << "a portion that nobody does";
+  bench.keys("MENU AUTOMAT ENTER ENTER START");
+  EXPECT_TRUE(bench.run_until([&] { return bench.snapshot().started; }, 1000)) << bench.picture();
+}
+
+TEST(Graphics, SYS_013_ThePictureLeavesAsSvgAndPdf) {
+  Bench bench({.tape = std::string(kPart)});
+  bench.control.order_picture();
+  EXPECT_FALSE(bench.control.poll(bench.now).picture) << "nothing to see in the menu";
+  bench.keys("GRAFIK ENTER START");
+  bench.run_for(100);
+  bench.keys("4");
+  bench.control.order_picture();
+  std::optional<PutFiles> files;
+  for (int i = 0; i < 3 && !files; ++i) files = bench.control.poll(bench.now).picture;
+  ASSERT_TRUE(files);
+  EXPECT_TRUE(files->is_printed);
+  ASSERT_EQ(files->files.size(), 2U);
+  EXPECT_EQ(files->files[0].name, "GRAFIK-P0001-XYZ.svg");
+  EXPECT_THAT(files->files[0].bytes, HasSubstr("P0001"));
+  EXPECT_THAT(files->files[0].bytes, HasSubstr("<svg"));
+  EXPECT_EQ(files->files[1].name, "GRAFIK-P0001-XYZ.pdf");
+  EXPECT_EQ(files->files[1].bytes.substr(0, 5), "%PDF-");
+  EXPECT_FALSE(bench.control.poll(bench.now).picture) << "once";
+}
+
 /// With a real thread, under the thread sanitizer too.
 TEST(Graphics, APortionMayRunInAnotherThread) {
   std::vector<std::jthread> threads;
   const LongWork elsewhere = [&](std::function<void()> job) { threads.emplace_back(std::move(job)); };
-  Bench bench({.settings = {.long_work = elsewhere}, .tape = std::string(kPart)});
+  Bench bench({.settings = {.picture_work = elsewhere}, .tape = std::string(kPart)});
   bench.keys("GRAFIK ENTER START 2");
   EXPECT_TRUE(bench.run_until(
       [&] {

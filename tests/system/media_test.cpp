@@ -62,6 +62,15 @@ TEST_F(Media, EXT_032_EXT_033_ATapeHasRowsOfEvenParityAndATwinToRead) {
   EXPECT_THAT(stored("P0007"), HasSubstr("N003G00Z+5000"));
 }
 
+TEST_F(Media, EX_050_DEC_13_ATapeMadeElsewhereIsStoredAndItsLimitsAreForTheRun) {
+  lay("P0001.tap", "\r\nP0001N001G00X+12Y-1500000Z+4150%");
+  StationProcess anna = sit_down();
+  transfer(anna, "7", "1");
+  anna.wait_for("Gelesen und gespeichert");
+  EXPECT_THAT(stored("P0001"), HasSubstr("N001G00X+12Y-1500000Z+4150"));
+  EXPECT_NE(stored("P0007"), "") << "a tape deletes nothing else (DEC-57)";
+}
+
 TEST_F(Media, DEC_57_STO_005_AWholeMemoryReplacesEverythingAndVersionsStay) {
   StationProcess anna = sit_down();
   transfer(anna, "4", "C");
@@ -137,7 +146,31 @@ TEST_F(Media, EXT_003_EXT_004_EXT_005_ThePrinterGivesTextAndPdf) {
   transfer(anna, "1", "C");
   anna.wait_for("Ausgabe beendet");
   EXPECT_THAT(content("DRUCK-SPEICHER.txt"), HasSubstr("N002 G01 X+..12.000"));
+  EXPECT_THAT(content("DRUCK-SPEICHER.txt"), HasSubstr("MASCHINENDATEN"));
+  EXPECT_THAT(content("DRUCK-SPEICHER.txt"), HasSubstr("500000 1/1000 mm"));
   EXPECT_THAT(content("DRUCK-SPEICHER.pdf"), StartsWith("%PDF-"));
+}
+
+TEST_F(Media, SYS_013_TheScreenIsPrintedAndInGraphicsThePictureToo) {
+  StationProcess anna = sit_down();
+  anna.key("MENU");
+  anna.key("GRAFIK");
+  anna.type("7");
+  anna.key("ENTER");
+  anna.key("START");
+  anna.wait_for("100 %");
+  anna.key("LABOR");
+  anna.wait_for("4 Bildschirm drucken");
+  anna.key("4");
+  ASSERT_TRUE(eventually(10s, [&] { return fs::exists(file("GRAFIK-P0007-XY.pdf")); }));
+  EXPECT_THAT(content("GRAFIK-P0007-XY.svg"), HasSubstr("</svg>"));
+  EXPECT_THAT(content("GRAFIK-P0007-XY.pdf"), StartsWith("%PDF-"));
+  ASSERT_TRUE(eventually(10s, [&] {
+    int pages = 0;
+    for (const auto& entry : fs::directory_iterator(folder()))
+      if (entry.path().filename().string().starts_with("BILD-")) ++pages;
+    return pages == 2;
+  }));
 }
 
 TEST(MediaPrinter, EXT_003_ThePrintersQueueTakesThePages) {

@@ -238,5 +238,29 @@ TEST(TestRun, ALongProgramKeepsWithinFourMegabytesToo) {
   EXPECT_LT(after.uordblks + after.hblkhd - before.uordblks - before.hblkhd, 4U << 20U);
 }
 
+/// As above, but under compensation: the contour is kept beside the path, and looked at as a whole.
+TEST(TestRun, ALongCompensatedContourKeepsWithinFourMegabytesAtEveryMoment) {
+  TestOrder order =
+      order_of(with_tools("P0001N001G41N002G11F3000T01M03N003G01X-30000N004G02X+0Y+0I+30000J+0N005G20P0001N004"));
+  order.most_blocks = 6000;
+  order.travel = {TravelRange{-1e6, 1e6}, TravelRange{-1e6, 1e6}, TravelRange{-1e6, 1e6}};
+  const auto used = [] {
+    const auto heap = mallinfo2();
+    return heap.uordblks + heap.hblkhd;
+  };
+  const std::size_t before = used();
+  auto test = TestRun::begin(std::move(order));
+  ASSERT_TRUE(test);
+  std::size_t most = 0;
+  while (!test->has_ended()) {
+    test->advance(20);
+    most = std::max(most, used() - before);
+  }
+  EXPECT_TRUE(test->is_picture_cut());
+  EXPECT_GT(test->scene().traces.contour.size(), 0U);
+  EXPECT_EQ(test->findings().back().kind, Kind::endless_loop);
+  EXPECT_LT(most, 4U << 20U);
+}
+
 }  // namespace
 }  // namespace cnclab::testrun
