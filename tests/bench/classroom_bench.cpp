@@ -67,6 +67,22 @@ double run_in_classroom(harness::Classroom& classroom) {
   return 100 * used / time.count();
 }
 
+/// What the line to one station carries while its counters run (20 pictures a second), TLS included.
+double kbit_per_s_moving(harness::Classroom& classroom) {
+  constexpr auto kTime = 10s;
+  const std::string name = bench::student_name(1);
+  bench::Typist typist(classroom.server().port(), 1);
+  if (!typist.log_in(name, classroom.passwords().password_of(name))) throw std::runtime_error("no login at station 1");
+  for (const Key key : {Key::MENU, Key::AUTOMAT, Key::ENTER, Key::ENTER, Key::START}) typist.press(key);
+  const std::uint64_t before = typist.received_tls_bytes();
+  const auto start = Clock::now();
+  typist.idle_until(start + kTime);
+  const std::chrono::duration<double> time = Clock::now() - start;
+  const auto bytes = static_cast<double>(typist.received_tls_bytes() - before);
+  typist.press(Key::STOP);
+  return 8 * bytes / 1000 / time.count();
+}
+
 }  // namespace
 }  // namespace cnclab
 
@@ -79,6 +95,7 @@ int main() try {
   auto keys = type_in_classroom(classroom);
   bench::print_percentiles("tcp_tls_pingpong_us", floor, "us");
   bench::print_percentiles("key_to_screen_us", keys, "us");
+  bench::print_figure("station_kbit_per_s_moving", kbit_per_s_moving(classroom), "kbit/s");
   const double load = run_in_classroom(classroom);
   bench::print_figure("server_rss_mib_15_stations", rss_mib(classroom.server().pid()), "MiB");
   bench::print_figure("server_cpu_percent_15_running", load, "%");

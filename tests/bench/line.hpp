@@ -47,6 +47,8 @@ class Line {
 
   /// Frames, without what TLS adds.
   [[nodiscard]] std::uint64_t received_bytes() const { return received_bytes_; }
+  /// As they came over TCP, TLS included.
+  [[nodiscard]] std::uint64_t received_tls_bytes() { return BIO_number_read(SSL_get_rbio(stream_.native_handle())); }
 
  private:
   std::uint64_t received_bytes_ = 0;

@@ -83,6 +83,8 @@ class Typist {
     }
   }
 
+  [[nodiscard]] std::uint64_t received_tls_bytes() { return line_.received_tls_bytes(); }
+
  private:
   double until_handled(Clock::time_point start) {
     while (handled_ < number_)
