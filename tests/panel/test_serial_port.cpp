@@ -258,6 +258,19 @@ TEST_F(Remote, EXT_063_D_98_TheQueryIsAnsweredInEveryMode) {
   EXPECT_EQ(heard(), "P0007N005S%");
 }
 
+TEST_F(Remote, MD_120_AnotherBaudRateHoldsFromTheNextPollOn) {
+  bench.control.fit_line({.is_fitted = true, .is_paced = true, .binding = ""});
+  bench.keys("ENTER+RESET");
+  for (int datum = 0; datum < 16; ++datum) bench.keys("ENTER");  // 20 is the seventeenth
+  bench.keys("CLEAR 3 0 0 ENTER MENU");
+  ASSERT_EQ(bench.control.line_baud(), 300);
+  bench.run_for(1000);
+  heard();
+  ASSERT_EQ(bench.control.line_received("!", bench.now), 1U);
+  bench.run_for(400);  // 1 character there and 10 back last 367 ms
+  EXPECT_EQ(heard(), "P0001N001S%");
+}
+
 TEST_F(Remote, EXT_060_AStartRunsAndFurtherDataAreAwaitedBehindIt) {
   heard();
   say("P0001N002*");
