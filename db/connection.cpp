@@ -3,9 +3,11 @@
 
 #include <sqlite3.h>
 
+#include <cerrno>
+
 namespace cnclab::db {
 
-FailureKind kind_of(const SQLite::Exception& exception) {
+FailureKind kind_of(const SQLite::Exception& exception, int system_error) {
   switch (exception.getErrorCode() & 0xff) {
     case SQLITE_BUSY:
     case SQLITE_LOCKED:
@@ -16,6 +18,8 @@ FailureKind kind_of(const SQLite::Exception& exception) {
     case SQLITE_NOTADB:
       return FailureKind::damaged;
     case SQLITE_IOERR:
+      return system_error == ENOSPC || system_error == EDQUOT || system_error == EFBIG ? FailureKind::full
+                                                                                       : FailureKind::disk;
     case SQLITE_CANTOPEN:
     case SQLITE_READONLY:
     case SQLITE_PERM:
@@ -27,8 +31,8 @@ FailureKind kind_of(const SQLite::Exception& exception) {
   }
 }
 
-void fail(const SQLite::Exception& exception, std::string_view step) {
-  throw StoreFailure(kind_of(exception), std::string(exception.what()) + " (" + std::string(step) + ")");
+void fail(const SQLite::Exception& exception, std::string_view step, int system_error) {
+  throw StoreFailure(kind_of(exception, system_error), std::string(exception.what()) + " (" + std::string(step) + ")");
 }
 
 SQLite::Statement& Connection::statement(const char* sql) {
@@ -44,19 +48,22 @@ SQLite::Statement& Connection::statement(const char* sql) {
 
 bool Connection::in_transaction() { return sqlite3_get_autocommit(database_.getHandle()) == 0; }
 
+// sqlite3_system_errno() knows nothing of what fails within a COMMIT; errno itself does, as long as nothing else fails.
 void Connection::execute(const char* sql) {
+  errno = 0;
   try {
     database_.exec(sql);
   } catch (const SQLite::Exception& exception) {
-    fail(exception, sql);
+    fail(exception, sql, errno);
   }
 }
 
 bool Query::next() {
+  errno = 0;
   try {
     return statement_.executeStep();
   } catch (const SQLite::Exception& exception) {
-    fail(exception, sql_);
+    fail(exception, sql_, errno);
   }
 }
 

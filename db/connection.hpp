@@ -19,11 +19,12 @@
 
 namespace cnclab::db {
 
-/// What SQLite's result code means to a user.
-[[nodiscard]] FailureKind kind_of(const SQLite::Exception& exception);
+/// What SQLite's result code means to a user. `system_error` is the errno behind an I/O error, 0 if unknown: SQLite
+/// calls only ENOSPC a full disk, but a spent quota (EDQUOT) and a limit on file sizes (EFBIG) need the same remedy.
+[[nodiscard]] FailureKind kind_of(const SQLite::Exception& exception, int system_error = 0);
 
 /// Rethrows what SQLiteCpp throws as `StoreFailure`; `step` says what was being done.
-[[noreturn]] void fail(const SQLite::Exception& exception, std::string_view step);
+[[noreturn]] void fail(const SQLite::Exception& exception, std::string_view step, int system_error = 0);
 
 /// One connection with its prepared statements, found again by their text.
 class Connection {

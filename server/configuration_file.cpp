@@ -200,18 +200,9 @@ std::string place(const std::filesystem::path& file, const toml::source_region& 
   return fmt::format("{}:{}", file.string(), source.begin.line);
 }
 
-}  // namespace
-
-std::expected<lab::Configuration, std::string> read_configuration(const std::filesystem::path& file) {
+std::expected<lab::Configuration, std::string> configuration_of(const toml::table& document,
+                                                                const std::filesystem::path& file) {
   Configuration configuration;
-  toml::table document;
-  try {
-    document = toml::parse_file(file.string());
-  } catch (const toml::parse_error& error) {
-    if (error.source().begin.line == 0)
-      return std::unexpected(fmt::format("{}: {}", file.string(), error.description()));
-    return std::unexpected(fmt::format("{}: {}", place(file, error.source()), error.description()));
-  }
   for (const auto& [section, content] : document) {
     const toml::table* table = content.as_table();
     if (table == nullptr)
@@ -228,6 +219,27 @@ std::expected<lab::Configuration, std::string> read_configuration(const std::fil
     }
   }
   return configuration;
+}
+
+template <class Parse>
+std::expected<lab::Configuration, std::string> parsed(const std::filesystem::path& file, Parse parse) {
+  try {
+    return configuration_of(parse(), file);
+  } catch (const toml::parse_error& error) {
+    if (error.source().begin.line == 0)
+      return std::unexpected(fmt::format("{}: {}", file.string(), error.description()));
+    return std::unexpected(fmt::format("{}: {}", place(file, error.source()), error.description()));
+  }
+}
+
+}  // namespace
+
+std::expected<lab::Configuration, std::string> read_configuration(const std::filesystem::path& file) {
+  return parsed(file, [&] { return toml::parse_file(file.string()); });
+}
+
+std::expected<lab::Configuration, std::string> parse_configuration(std::string_view text) {
+  return parsed("lab.toml", [&] { return toml::parse(text); });
 }
 
 std::string print_configuration(const Configuration& configuration) {

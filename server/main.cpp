@@ -8,6 +8,7 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <csignal>
 #include <iostream>
 #include <memory>
 
@@ -17,6 +18,8 @@
 #include "lab/lab.hpp"
 #include "machine/tick_thread.hpp"
 #include "net/metrics.hpp"
+#include "net/serial_device.hpp"
+#include "net/serial_listener.hpp"
 #include "net/server.hpp"
 
 namespace cnclab {
@@ -73,6 +76,41 @@ void stop_when_at_rest(asio::io_context& loop, net::Server& server, lab::Lab& la
   timer.async_wait([&loop](const boost::system::error_code&) { loop.stop(); });
 }
 
+/// The serial lines of [dnc], where there are any.
+struct SerialLines {
+  std::unique_ptr<net::SerialListener> listener;
+  std::shared_ptr<net::SerialDevice> device;
+
+  void stop() const {
+    if (listener) listener->stop();
+    if (device) device->stop();
+  }
+};
+
+/// Binds the listener, before there is a lab to serve.
+std::expected<SerialLines, std::string> listen_for_lines(asio::io_context& loop,
+                                                         const lab::Configuration& configuration,
+                                                         const Certificate& certificate) {
+  if (!configuration.dnc_device.empty() && configuration.dnc_station == 0)
+    return std::unexpected("[dnc] device needs [dnc] station, 1 to 15");
+  SerialLines lines;
+  if (configuration.dnc_listen.empty()) return lines;
+  auto listener = net::SerialListener::listen(loop, configuration.dnc_listen, certificate);
+  if (!listener) return std::unexpected(listener.error());
+  lines.listener = std::move(*listener);
+  return lines;
+}
+
+void serve_lines(SerialLines& lines, asio::io_context& loop, const std::string& device, lab::Lab& lab) {
+  if (lines.listener) {
+    lines.listener->serve(lab);
+    spdlog::info("dnc: listening {} {}", lines.listener->address(), lines.listener->is_plain() ? "plain" : "TLS");
+  }
+  if (device.empty()) return;
+  lines.device = std::make_shared<net::SerialDevice>(loop, device, lab);
+  lines.device->start();
+}
+
 int serve(const lab::Configuration& configuration) {
   auto folder = open_data_folder(configuration.data);
   if (!folder) return fail(folder.error());
@@ -85,6 +123,8 @@ int serve(const lab::Configuration& configuration) {
   const auto fingerprint = fingerprint_of(folder->certificate.certificate_pem);
   if (!fingerprint) return fail(fingerprint.error());
 
+  auto lines = listen_for_lines(loop, configuration, folder->certificate);
+  if (!lines) return fail(lines.error());
   std::unique_ptr<net::Metrics> metrics;
   if (!configuration.metrics.empty()) {
     auto listening = net::Metrics::listen(loop, configuration.metrics);
@@ -98,6 +138,7 @@ int serve(const lab::Configuration& configuration) {
   db::Store store(std::move(folder->database), post);
   lab::Lab lab(configuration, store, ticks, post, lab::system_clock(), folder->inheritance);
   (*server)->serve(lab);
+  serve_lines(*lines, loop, configuration.dnc_device, lab);
   if (metrics) {
     metrics->serve([&lab] { return lab.metrics(); });
     spdlog::info("metrics: http://{}/metrics", metrics->address());
@@ -110,6 +151,7 @@ int serve(const lab::Configuration& configuration) {
     if (error) return;
     spdlog::info("signal {}: the machine comes to rest, then the server ends", signal);
     lab.release_machine();
+    lines->stop();
     stop_when_at_rest(loop, **server, lab, stopping, 400);
   });
   loop.run();
@@ -136,6 +178,7 @@ int run(const CommandLine& line) {
     return 0;
   }
   log_to_stderr(line.log_level);
+  std::signal(SIGXFSZ, SIG_IGN);  // a limit on file sizes is an error of that write (STO-009), not the lab's end
   return serve(*configuration);
 }
 

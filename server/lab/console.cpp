@@ -1,4 +1,4 @@
-// Which request is answered by which function; answers on their way.
+// Answers on their way.
 #include "lab/console.hpp"
 
 #include <algorithm>
@@ -9,99 +9,6 @@
 #include "shared/frame.hpp"
 
 namespace cnclab::lab {
-
-void Console::answer(const std::shared_ptr<Visit>& visit, const v1::InstructorRequest& request) {
-  const Reply reply{visit, request.number(), lab_.tongue_of(visit->person)};
-  if (visit->stage != Stage::at_console || visit->person.role != "instructor") {
-    lab_.write_journal("refused", "instructor request without the role", 0, visit->person.name);
-    return send_error(reply, lab_.say(reply.tongue, "Das darf nur die Lehrkraft.", "Only the instructor may do that."));
-  }
-  using R = v1::InstructorRequest;
-  switch (request.what_case()) {
-    case R::kStatus:
-      return status(reply);
-    case R::kSelect:
-      return select(reply, request.select());
-    case R::kRelease:
-      return decided(reply, ReleaseIt{request.release().force()});
-    case R::kHalt:
-      return decided(reply, HaltPressed{kNoLogin, visit->person.name});
-    case R::kClearHalt:
-      return decided(reply, HaltCleared{kNoLogin});
-    case R::kPowerOff:
-      return decided(reply, PowerSwitched{false});
-    case R::kPowerOn:
-      return decided(reply, PowerSwitched{true});
-    case R::kInput:
-      return input(reply, request.input());
-    case R::kMachineData:
-      return machine_data(reply, request.machine_data());
-    case R::kTools:
-      return tools(reply, request.tools());
-    case R::kWorkpiece:
-      return workpiece(reply, request.workpiece());
-    case R::kShow:
-      return show(reply, request.show());
-    case R::kWatch:
-      return watch(reply, request.watch());
-    case R::kTake:
-      return take(reply, request.take());
-    case R::kGive:
-      return give(reply, request.give());
-    case R::kLock:
-      return lock(reply, request.lock(), true);
-    case R::kUnlock:
-      return lock(reply, request.unlock(), false);
-    case R::kMessage:
-      return message(reply, request.message());
-    case R::kExpel:
-      return expel(reply, request.expel());
-    case R::kPasswd:
-      return passwd(reply, request.passwd());
-    case R::kStudents:
-      return students(reply);
-    case R::kStudentAdd:
-      return student_add(reply, request.student_add());
-    case R::kStudentRemove:
-      return student_remove(reply, request.student_remove());
-    case R::kStudentRestore:
-      return student_restore(reply, request.student_restore());
-    case R::kStudentRename:
-      return student_rename(reply, request.student_rename());
-    case R::kStudentPassword:
-      return student_password(reply, request.student_password());
-    case R::kImport:
-      return import(reply, request.import());
-    case R::kExport:
-      return export_roster(reply);
-    case R::kPrograms:
-      return programs(reply, request.programs());
-    case R::kProgramShow:
-      return program_show(reply, request.program_show());
-    case R::kProgramVersions:
-      return program_versions(reply, request.program_versions());
-    case R::kProgramSend:
-      return program_send(reply, request.program_send());
-    case R::kProgramCollect:
-      return program_collect(reply, request.program_collect());
-    case R::kProgramRestore:
-      return program_restore(reply, request.program_restore());
-    case R::kRuns:
-      return runs(reply, request.runs());
-    case R::kRunTrace:
-      return run_trace(reply, request.run_trace());
-    case R::kRunReplay:
-      return run_replay(reply, request.run_replay());
-    case R::kJournal:
-      return journal(reply, request.journal());
-    case R::kBackup:
-      return backup(reply);
-    case R::kRemote:
-    case R::WHAT_NOT_SET:
-      return send_error(reply, lab_.say(reply.tongue, "Diesen Befehl kennt der Server nicht.",
-                                        "This server does not know that command."));
-  }
-}
 
 v1::InstructorItem done_item(const std::string& detail) {
   v1::InstructorItem item;

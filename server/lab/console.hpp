@@ -33,6 +33,12 @@ class Console {
   };
   using Items = std::vector<v1::InstructorItem>;
 
+  // console_requests.cpp
+  struct Row;
+  static const Row kRows[];
+  /// Nothing for a request that this server does not know.
+  [[nodiscard]] static const Row* row_of(const v1::InstructorRequest& request);
+
   void send(const Reply& reply, const Items& items) const;
   void send_error(const Reply& reply, const std::string& error) const;
   void send_done(const Reply& reply, const std::string& detail = {}) const;
@@ -51,6 +57,7 @@ class Console {
   void store_value(const Reply& reply, const std::string& key, const std::string& value,
                    std::function<void(Lab&, const std::string&)> then) const;
   void input(const Reply& reply, const v1::SetInput& request) const;
+  void remote(const Reply& reply, const v1::SetRemote& request) const;
   void machine_data(const Reply& reply, const v1::ChangeMachineData& request) const;
 
   // console_classroom.cpp
@@ -95,6 +102,7 @@ class Console {
   void program_send(const Reply& reply, const v1::ProgramSend& request) const;
   void program_collect(const Reply& reply, const v1::ProgramCollect& request) const;
   void program_restore(const Reply& reply, const v1::ProgramName& request) const;
+  void machine_data_restore(const Reply& reply, const v1::ProgramName& request) const;
 
   Lab& lab_;
 };

@@ -1,6 +1,8 @@
 // Programs of everybody collected, and older versions restored (INS-003, STO-005).
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "lab/console_ask.hpp"
 #include "lab/program_versions.hpp"
 
@@ -37,6 +39,7 @@ void Console::program_collect(const Reply& reply, const v1::ProgramCollect& requ
 }
 
 void Console::program_restore(const Reply& reply, const v1::ProgramName& request) const {
+  if (request.program() == kMachineDataProgram) return machine_data_restore(reply, request);
   ask_store(
       reply,
       [request, memory = lab_.configuration_.memory_bytes,
@@ -49,6 +52,30 @@ void Console::program_restore(const Reply& reply, const v1::ProgramName& request
       [reply, request](const Console& console, const db::Person& person) {
         console.lab_.reload_programs(person.id);
         const std::string what = fmt::format("P{:04} version {}", request.program(), request.version());
+        console.lab_.write_journal("program_restore", what + " (" + reply.visit->person.name + ")", 0, person.name);
+        console.send_done(reply, what);
+      });
+}
+
+void Console::machine_data_restore(const Reply& reply, const v1::ProgramName& request) const {
+  if (const auto desk = lab_.lab_desk_.lock(); desk && desk->person.name == request.student())  // DEC-39
+    return send_error(reply, lab_.say(reply.tongue, "Nicht, solange dieser Platz die Maschine hat.",
+                                      "Not while that station has the machine."));
+  using Restored = std::pair<db::Person, machine::MachineData>;
+  ask_store(
+      reply,
+      [request, author = db::Author{reply.visit->person.name, 0, lab_.clock_.unix_ms()}](db::Database& database) {
+        const db::Person person = person_named(database, request.student());
+        return Restored{person,
+                        restore_machine_data_version(database, person.id, static_cast<int>(request.version()), author)};
+      },
+      [reply, request](const Console& console, const Restored& restored) {
+        const auto& [person, data] = restored;
+        if (const auto desk = console.lab_.desk_of(person.id)) {
+          desk->control.replace_data(data);
+          desk->is_dirty = true;
+        }
+        const std::string what = fmt::format("MD version {}", request.version());
         console.lab_.write_journal("program_restore", what + " (" + reply.visit->person.name + ")", 0, person.name);
         console.send_done(reply, what);
       });

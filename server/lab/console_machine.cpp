@@ -6,6 +6,7 @@
 #include "lab/console_ask.hpp"
 #include "lab/stored_control.hpp"
 #include "language/tape.hpp"
+#include "shared/station_id.hpp"
 
 namespace cnclab::lab {
 
@@ -91,6 +92,9 @@ void Console::status(const Reply& reply) const {
     if (hand != lab_.hands_.end()) station.set_meldung(static_cast<std::uint32_t>(hand - lab_.hands_.begin()) + 1);
     station.set_locked(desk->is_locked);
     station.set_taken_by(desk->taken_by);
+    station.set_remote(desk->control.is_remote());
+    const auto line = std::ranges::find_if(lab_.lines_, [&](const auto& one) { return one->desk.lock() == desk; });
+    if (line != lab_.lines_.end()) station.set_line((*line)->peer->address());
     const std::int64_t a_minute_ago_ns = lab_.clock_.monotonic_ns() - kMinute_ns;
     station.set_errors_last_minute(static_cast<std::uint32_t>(
         std::ranges::count_if(desk->errors_ns, [&](std::int64_t at_ns) { return at_ns > a_minute_ago_ns; })));
@@ -112,6 +116,14 @@ void Console::input(const Reply& reply, const v1::SetInput& request) const {
                                       "Inputs: 0, 11 to 18 (card 1), 21 to 28 (card 2)."));
   lab_.machine_.set_input(static_cast<int>(number / 10), static_cast<int>(number % 10), request.on());
   lab_.write_journal("input", fmt::format("{} {}", number, request.on() ? "on" : "off"), 0, reply.visit->person.name);
+  send_done(reply);
+}
+
+void Console::remote(const Reply& reply, const v1::SetRemote& request) const {
+  if (!StationId::of(request.station()))
+    return send_error(
+        reply, lab_.say(reply.tongue, "Plätze haben die Nummern 1 bis 15.", "Stations have the numbers 1 to 15."));
+  lab_.set_remote(static_cast<int>(request.station()), request.on(), reply.visit->person.name);
   send_done(reply);
 }
 

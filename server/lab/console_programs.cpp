@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "lab/console_ask.hpp"
+#include "lab/program_versions.hpp"
 #include "lab/stored_control.hpp"
 #include "language/tape.hpp"
 
@@ -15,11 +16,16 @@ constexpr std::size_t kLargestTape = 60'000;
 
 std::string program_name(std::uint32_t number) { return fmt::format("P{:04}", number); }
 
-/// The tape text: one block per line, in pieces that each fit a frame.
+std::optional<int> version_in(const v1::ProgramName& request) {
+  return request.version() == 0 ? std::nullopt : std::optional(static_cast<int>(request.version()));
+}
+
+/// The tape text: one block per line, in pieces that each fit a frame; of machine data the lines of their file.
 std::vector<v1::InstructorItem> text_items(std::uint32_t number, const std::vector<std::string>& blocks) {
   constexpr std::size_t kPiece = 32'000;
   std::vector<v1::InstructorItem> items(1);
-  std::string text = program_name(number) + "\n";
+  const bool is_program = number != kMachineDataProgram;
+  std::string text = is_program ? program_name(number) + "\n" : "";
   for (const auto& block : blocks) {
     if (text.size() + block.size() > kPiece) {
       items.back().mutable_program_text()->set_text(text);
@@ -28,8 +34,29 @@ std::vector<v1::InstructorItem> text_items(std::uint32_t number, const std::vect
     }
     text += block + "\n";
   }
-  items.back().mutable_program_text()->set_text(text + "%\n");
+  items.back().mutable_program_text()->set_text(is_program ? text + "%\n" : text);
   return items;
+}
+
+std::string change_text(const db::ProgramVersion& version) {
+  return version.block == 0 ? version.kind : fmt::format("{} N{:03}", version.kind, version.block);
+}
+
+std::string numbers_text(const std::vector<int>& numbers) {
+  std::string text;
+  for (const int number : numbers) text += fmt::format("{}{:02}", text.empty() ? "" : " ", number);
+  return text;
+}
+
+v1::InstructorItem version_item(int version, const db::Author& author, const std::string& change) {
+  v1::InstructorItem item;
+  auto& info = *item.mutable_version();
+  info.set_version(static_cast<std::uint32_t>(version));
+  info.set_time(iso_time(author.time_ms));
+  info.set_by(author.name);
+  info.set_station(static_cast<std::uint32_t>(author.station));
+  info.set_change(change);
+  return item;
 }
 
 /// The people a program is sent to.
@@ -101,6 +128,8 @@ void Console::program_show(const Reply& reply, const v1::ProgramName& request) c
       reply,
       [request](db::Database& database) {
         const auto person = person_named(database, request.student());
+        if (request.program() == kMachineDataProgram)
+          return machine_data_lines(database, person.id, version_in(request));
         auto blocks =
             database.program_at(person.id, static_cast<int>(request.program()), static_cast<int>(request.version()));
         if (!blocks)
@@ -119,22 +148,18 @@ void Console::program_versions(const Reply& reply, const v1::ProgramName& reques
   ask_store(
       reply,
       [request](db::Database& database) {
-        return database.versions(person_named(database, request.student()).id, static_cast<int>(request.program()));
-      },
-      [reply](const Console& console, const std::vector<db::ProgramVersion>& versions) {
+        const db::PersonId id = person_named(database, request.student()).id;
         Items items;
-        for (const auto& version : versions) {
-          v1::InstructorItem item;
-          auto& info = *item.mutable_version();
-          info.set_version(static_cast<std::uint32_t>(version.version));
-          info.set_time(iso_time(version.author.time_ms));
-          info.set_by(version.author.name);
-          info.set_station(static_cast<std::uint32_t>(version.author.station));
-          info.set_change(version.block == 0 ? version.kind : fmt::format("{} N{:03}", version.kind, version.block));
-          items.push_back(item);
+        if (request.program() == kMachineDataProgram) {
+          for (const auto& version : database.machine_data_versions(id))
+            items.push_back(version_item(version.version, version.author, numbers_text(version.numbers)));
+        } else {
+          for (const auto& version : database.versions(id, static_cast<int>(request.program())))
+            items.push_back(version_item(version.version, version.author, change_text(version)));
         }
-        console.send(reply, items);
-      });
+        return items;
+      },
+      [reply](const Console& console, const Items& items) { console.send(reply, items); });
 }
 
 void Console::program_send(const Reply& reply, const v1::ProgramSend& request) const {

@@ -57,6 +57,7 @@ struct Desk {
   LoginId login{};
   std::weak_ptr<Visit> visit;  ///< the connection that types; empty while the line is broken
   std::string ticket;
+  std::string dnc_token;           ///< binds a serial line to this login (interfaces.md section 8)
   std::int64_t keep_until_ns = 0;  ///< while the line is broken
   std::int64_t made_ns = 0;        ///< power on of this control (DEC-64)
   panel::Control control;

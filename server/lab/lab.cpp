@@ -65,6 +65,7 @@ Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& tic
       recorder_(store, channel_, RunRecorder::Keeps::trace) {
   channel_->set_outputs_off_at_power_off(output_lines(configuration_.outputs_off_at_power_off));
   if (!ticks_.add(channel_)) throw std::runtime_error("the tick has no place for the lab's machine");
+  remote_.fill(configuration_.remote);
   beats_.advance(clock_.monotonic_ns());
   keep_epoch();
   write_journal("server_start", "nobody has control, position unreferenced");  // AUTH-012
@@ -162,6 +163,7 @@ void Lab::poll() {
     if (!desk->is_seated() && now_ns >= desk->keep_until_ns) dismiss(desk);
     if (now_ns - desk->last_saved_ns >= 10 * kSecond_ns) save_state(desk);
   }
+  follow_lines(now_ns);
   draw_due(now_ns);
   watch_connections(now_ns);
   if (now_ns - journal_flushed_ns_ >= kSecond_ns / 5) flush_journal();
@@ -224,7 +226,7 @@ void Lab::flush_journal() {
   store_.run([entries](db::Database& database) { database.add_journal(*entries); },
              [this, entries, alive = alive_](const std::expected<void, db::StoreError>& result) {
                if (result || !*alive) return;
-               spdlog::error("journal: {}", result.error().text);
+               spdlog::error("journal: {}", result.error().detail);
                // Written with the next ones, when there is room again (STO-009); the oldest go first where it lasts.
                const std::size_t room = kMostUnwritten - std::min(kMostUnwritten, journal_.size());
                const auto kept = static_cast<std::ptrdiff_t>(std::min(entries->size(), room));
@@ -253,6 +255,10 @@ void Lab::keep_house(std::int64_t now_ns) {
 
 std::string Lab::say(language::Tongue tongue, const char* german, const char* english) const {
   return tongue == language::Tongue::german ? german : english;
+}
+
+std::string Lab::sentence_for(const db::StoreError& error, language::Tongue tongue) {
+  return std::string(db::explain(error.kind, tongue == language::Tongue::german ? "de" : "en"));
 }
 
 language::Tongue Lab::tongue_of(const db::Person& person) const {

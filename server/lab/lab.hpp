@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <expected>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -26,6 +27,7 @@
 #include "lab/clock.hpp"
 #include "lab/configuration.hpp"
 #include "lab/desk.hpp"
+#include "lab/dnc_line.hpp"
 #include "lab/login_guard.hpp"
 #include "lab/passwords.hpp"
 #include "lab/run_recorder.hpp"
@@ -33,6 +35,7 @@
 #include "lab/worker_thread.hpp"
 #include "machine/simulated_machine.hpp"
 #include "machine/tick_thread.hpp"
+#include "transfer/binding_line.hpp"
 
 namespace cnclab::v1 {
 class ClientMessage;
@@ -67,6 +70,24 @@ class Lab {
   void receive(const std::shared_ptr<Visit>& visit, const v1::ClientMessage& message);
   /// The connection is closed.
   void lost(const std::shared_ptr<Visit>& visit);
+
+  // Serial lines (lab_dnc.cpp, interfaces.md section 8)
+  using LinePtr = std::shared_ptr<DncLine>;
+  /// The first line of a TCP connection: it becomes the line of that station's login.
+  /// errors   why not, for the log; journalled
+  [[nodiscard]] std::expected<LinePtr, std::string> bind_line(const std::shared_ptr<LinePeer>& peer,
+                                                              const transfer::Binding& binding);
+  /// A connection ended before it was bound; journalled.
+  void refuse_line(const std::string& address, const std::string& why);
+  /// The serial device was opened: it belongs to whoever sits at its station.
+  [[nodiscard]] LinePtr attach_device(const std::shared_ptr<LinePeer>& peer);
+  /// Returns how many characters were taken; the others are to be brought again when there is room.
+  [[nodiscard]] std::size_t line_received(const LinePtr& line, std::string_view bytes);
+  /// Has everything that was received had its effect, and everything that is to be sent left the control?
+  [[nodiscard]] bool is_line_idle(const LinePtr& line) const;
+  /// The connection is closed, the device is gone.
+  void line_lost(const LinePtr& line);
+
   /// The time passed.
   void poll();
   /// The lease ends and the machine comes to rest on the ramp; `at_rest` tells when.
@@ -96,6 +117,8 @@ class Lab {
   void keep_house(std::int64_t now_ns);
   [[nodiscard]] std::string say(language::Tongue tongue, const char* german, const char* english) const;
   [[nodiscard]] language::Tongue tongue_of(const db::Person& person) const;
+  /// What the screen that wanted to store says (STO-009).
+  [[nodiscard]] static std::string sentence_for(const db::StoreError& error, language::Tongue tongue);
 
   // lab_login.cpp
   void greet(const VisitPtr& visit, const v1::ClientMessage& message);
@@ -123,10 +146,19 @@ class Lab {
   void act(const DeskPtr& desk, const Input& input);
   void start_pressed(const DeskPtr& desk, const Input& input);
   void outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t number);
-  void store(const DeskPtr& desk, panel::StoreRequest request, std::uint64_t number);
+  void store(const DeskPtr& desk, panel::StoreRequest request, std::uint64_t number, const std::string& author);
   [[nodiscard]] bool is_fresh(const Desk& desk, const Input& input) const;
   void note(Desk& desk, const std::string& sentence);
   void save_state(const DeskPtr& desk);
+
+  // lab_dnc.cpp
+  [[nodiscard]] panel::LineFitting line_fitting(const Desk& desk) const;
+  void fit_line(Desk& desk, bool is_new_login);  ///< when somebody sits down
+  void set_remote(int station, bool is_on, const std::string& who);
+  void connect_line(DncLine& line, const DeskPtr& desk);  ///< nullptr: to nobody
+  void cut_lines_of(const Desk& desk);
+  void follow_lines(std::int64_t now_ns);
+  void judge_remote_start(const DeskPtr& desk, const panel::RemoteStart& start);
 
   // lab_labor.cpp
   /// The lab's menu gets the key: LABOR, and every other one while it is open, but for the START that accepts an offer.
@@ -229,6 +261,7 @@ class Lab {
   WorkerThread pictures_;    ///< test runs of GRAFIK, portion by portion in turn; printed pages
   WorkerThread background_;  ///< replays, the printer
   LoginGuard guard_;
+  LoginGuard line_guard_;  ///< of serial lines: their wrong tokens delay no login
   Beats beats_;
   Authority authority_;
   std::uint64_t kept_epoch_;  ///< numbers up to this one are reserved in the database
@@ -245,6 +278,8 @@ class Lab {
   std::vector<std::weak_ptr<Desk>> hands_;  ///< raised hands in order (INS-006)
   std::set<db::PersonId> locked_;           ///< whose keyboards are locked, wherever they sit (SEC-007)
   int shown_station_ = 0;                   ///< whose screen all see, 0 nobody's (INS-002)
+  std::vector<LinePtr> lines_;
+  std::array<bool, 16> remote_{};  ///< the REMOTE switch of each station, from 1
   std::uint64_t logins_ = 0;
   std::vector<db::JournalEntry> journal_;
   std::int64_t journal_flushed_ns_ = 0;

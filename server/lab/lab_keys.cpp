@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t kMostWaiting = 256;
 constexpr std::int64_t kOldestStart_ns = 1'000'000'000;  ///< AUTH-008
 constexpr std::int64_t kNotice_ns = 8'000'000'000;
+const std::string kLineAuthor = "DNC";  ///< of versions that came over the serial line (STO-005)
 
 bool contains(const Input& input, Key key) { return std::ranges::find(input.keys, key) != input.keys.end(); }
 
@@ -166,31 +167,34 @@ bool Lab::is_fresh(const Desk& desk, const Input& input) const {
 
 void Lab::outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t number) {
   desk->is_dirty = true;
-  if (outcome.store) store(desk, std::move(*outcome.store), number);
+  for (const std::string& news : outcome.line_news) write_journal("dnc", news, desk->station, desk->person.name);
+  if (outcome.store)
+    store(desk, std::move(*outcome.store), number, outcome.is_from_line ? kLineAuthor : desk->person.name);
   if (outcome.media) order_media(desk, std::move(*outcome.media), MediaOrder::From::control);
   if (outcome.picture) order_media(desk, std::move(*outcome.picture), MediaOrder::From::hardcopy);
   if (outcome.mode_changed) save_state(desk);
   if (outcome.was_reset && desk->on_lab_machine)  // DEC-39
     static_cast<void>(decide(Deprived{desk->login, "RESET"}, tongue_of(desk->person)));
+  if (outcome.remote_start) judge_remote_start(desk, *outcome.remote_start);
   record_run(desk);  // a run that begins now is recorded with the versions that the store has now
 }
 
-void Lab::store(const DeskPtr& desk, panel::StoreRequest request, std::uint64_t number) {
+void Lab::store(const DeskPtr& desk, panel::StoreRequest request, std::uint64_t number, const std::string& author) {
   desk->storing = number;
   write_journal("program", change_text(request), desk->station, desk->person.name);
-  const db::Author author{desk->person.name, desk->station, clock_.unix_ms()};
-  store_.run([id = desk->person.id, request = std::move(request),
-              author](db::Database& database) { lab::carry_out(database, id, request, author); },
-             [this, weak = std::weak_ptr(desk), alive = alive_](const std::expected<void, db::StoreError>& result) {
-               const DeskPtr stored = weak.lock();
-               if (!*alive || !stored) return;
-               if (!result) spdlog::error("{}: not stored: {}", stored->person.name, result.error().text);
-               stored->storing.reset();
-               stored->control.store_done(result ? std::string() : result.error().text);
-               stored->is_dirty = true;
-               pump(stored);
-               draw(stored, clock_.monotonic_ns());
-             });
+  store_.run(
+      [id = desk->person.id, request = std::move(request), by = db::Author{author, desk->station, clock_.unix_ms()}](
+          db::Database& database) { lab::carry_out(database, id, request, by); },
+      [this, weak = std::weak_ptr(desk), alive = alive_](const std::expected<void, db::StoreError>& result) {
+        const DeskPtr stored = weak.lock();
+        if (!*alive || !stored) return;
+        if (!result) spdlog::error("{}: not stored: {}", stored->person.name, result.error().text);
+        stored->storing.reset();
+        stored->control.store_done(result ? "" : sentence_for(result.error(), tongue_of(stored->person)));
+        stored->is_dirty = true;
+        pump(stored);
+        draw(stored, clock_.monotonic_ns());
+      });
 }
 
 void Lab::note(Desk& desk, const std::string& sentence) {
@@ -208,7 +212,7 @@ void Lab::save_state(const DeskPtr& desk) {
   store_.run([id = desk->person.id, state = std::move(state),
               time = clock_.unix_ms()](db::Database& database) { database.put_control_state(id, state, time); },
              [name = desk->person.name](const std::expected<void, db::StoreError>& result) {
-               if (!result) spdlog::error("{}: state not stored: {}", name, result.error().text);
+               if (!result) spdlog::error("{}: state not stored: {}", name, result.error().detail);
              });
 }
 

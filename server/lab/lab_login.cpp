@@ -97,7 +97,8 @@ void Lab::log_in(const VisitPtr& visit, const v1::Login& login) {
   store_.run([name = login.user()](db::Database& database) { return database.person(name); },
              [this, visit, alive = alive_](const std::expected<std::optional<db::Person>, db::StoreError>& found) {
                if (!*alive || visit->stage != Stage::checking) return;
-               if (!found) return refuse(visit, v1::LOGIN_RESULT_REFUSED, found.error().text);
+               if (!found)
+                 return refuse(visit, v1::LOGIN_RESULT_REFUSED, sentence_for(found.error(), configuration_.tongue));
                const auto& person = *found;
                const bool active = person && !person->archived_ms;
                passwords_.verify(visit->login.password(), active ? person->password_hash : std::string(),
@@ -213,7 +214,8 @@ void Lab::load_desk(const VisitPtr& visit) {
   store_.run([id = visit->person.id](db::Database& database) { return read_control(database, id); },
              [this, visit, alive = alive_](const std::expected<StoredControl, db::StoreError>& stored) {
                if (!*alive || visit->stage != Stage::checking) return;
-               if (!stored) return refuse(visit, v1::LOGIN_RESULT_REFUSED, stored.error().text);
+               if (!stored)
+                 return refuse(visit, v1::LOGIN_RESULT_REFUSED, sentence_for(stored.error(), tongue_of(visit->person)));
                if (desk_of(visit->person.id)) return admit_station(visit);  // the same student was faster elsewhere
                const auto& person = visit->person;
                panel::Settings settings = settings_for(configuration_, person, tongue_of(person));
@@ -280,6 +282,7 @@ void Lab::sit_down(const VisitPtr& visit, const DeskPtr& desk, int station) {
   if (desk->storing) desk->storing = 0;  // an input of the former connection: nothing to acknowledge here
   desk->labor.reset();
   desk->is_dirty = true;
+  fit_line(*desk, !visit->login.user().empty());  // a reconnect has no login of its own: its token stays
   auto message = answer_with(v1::LOGIN_RESULT_OK, "");
   auto& login = *message.mutable_login();
   login.set_user(desk->person.name);
@@ -313,6 +316,7 @@ void Lab::vacate(const VisitPtr& visit, const std::string& why) {
   static_cast<void>(decide(LoggedOut{desk->login, why}, configuration_.tongue));
   desk->login = kNoLogin;
   desk->stop_training();
+  cut_lines_of(*desk);
   for (const auto& order : desk->media)
     if (order->transfer) order->transfer->pause();  // begins anew when the line is back
   desk->waiting.clear();

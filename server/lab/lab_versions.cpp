@@ -13,7 +13,7 @@ void Lab::read_versions(const DeskPtr& desk, const Subject& of) {
               alive = alive_](const std::expected<std::vector<LaborVersion>, db::StoreError>& versions) {
                const DeskPtr owner = weak.lock();
                if (!*alive || !owner || !owner->labor) return;
-               if (!versions) return note(*owner, versions.error().text);
+               if (!versions) return note(*owner, sentence_for(versions.error(), tongue_of(owner->person)));
                owner->labor->show_versions(of, *versions);
                owner->is_dirty = true;
              });
@@ -43,7 +43,7 @@ void Lab::restore_version(const DeskPtr& desk, const Subject& of, int version) {
         const DeskPtr owner = weak.lock();
         if (!*alive || !owner) return;
         const auto tongue = tongue_of(owner->person);
-        if (!result) return note(*owner, result.error().text);
+        if (!result) return note(*owner, sentence_for(result.error(), tongue_of(owner->person)));
         if (!*result) return note(*owner, result->error().in(tongue));
         write_journal("restore", name_of(of, language::Tongue::english) + " version " + std::to_string(version),
                       owner->station, owner->person.name);

@@ -21,22 +21,27 @@ void start_sodium() {
   if (sodium_init() < 0) throw std::runtime_error("libsodium cannot be started: no source of random numbers");
 }
 
+/// In groups of four, none of them alike to another.
+std::string random_letters(int count) {
+  start_sodium();
+  constexpr std::string_view letters = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789";
+  std::string text;
+  for (int i = 0; i < count; ++i) {
+    if (i > 0 && i % 4 == 0) text += '-';
+    text += letters[randombytes_uniform(static_cast<std::uint32_t>(letters.size()))];
+  }
+  return text;
+}
+
 bool fits(const std::string& password, const std::string& hash) {
   return crypto_pwhash_str_verify(hash.c_str(), password.data(), password.size()) == 0;
 }
 
 }  // namespace
 
-std::string one_time_password() {
-  start_sodium();
-  constexpr std::string_view kLetters = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789";
-  std::string password;
-  for (int i = 0; i < 16; ++i) {
-    if (i > 0 && i % 4 == 0) password += '-';
-    password += kLetters[randombytes_uniform(static_cast<std::uint32_t>(kLetters.size()))];
-  }
-  return password;
-}
+std::string one_time_password() { return random_letters(16); }
+
+std::string line_token() { return random_letters(12); }
 
 std::string random_ticket() {
   start_sodium();

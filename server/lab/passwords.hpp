@@ -15,6 +15,9 @@ inline constexpr std::size_t kShortestPassword = 8, kLongestPassword = 256;
 /// Random, readable, 16 characters in groups of four without those that look alike.
 [[nodiscard]] std::string one_time_password();
 
+/// As `one_time_password`, 12 characters: 60 bits that a student reads off a screen, for one login.
+[[nodiscard]] std::string line_token();
+
 /// 32 random bytes, for session tickets.
 [[nodiscard]] std::string random_ticket();
 

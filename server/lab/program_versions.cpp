@@ -37,6 +37,14 @@ machine::MachineData data_of(const std::map<int, std::int64_t>& values) {
   return data;
 }
 
+machine::MachineData data_at(db::Database& database, db::PersonId person, int version) {
+  const auto values = database.machine_data_at(person, version);
+  if (!values)
+    throw Refusal{fmt::format("Die Maschinendaten haben keine Version {}.", version),
+                  fmt::format("The machine data have no version {}.", version)};
+  return data_of(*values);
+}
+
 LaborVersion line_of(const db::DataVersion& version) {
   std::string numbers;
   for (const int number : version.numbers) numbers += fmt::format("{}{:02}", numbers.empty() ? "" : " ", number);
@@ -75,13 +83,18 @@ void restore_version(db::Database& database, db::PersonId person, std::uint16_t 
 
 machine::MachineData restore_machine_data_version(db::Database& database, db::PersonId person, int version,
                                                   const db::Author& author) {
-  const auto values = database.machine_data_at(person, version);
-  if (!values)
-    throw Refusal{fmt::format("Die Maschinendaten haben keine Version {}.", version),
-                  fmt::format("The machine data have no version {}.", version)};
-  machine::MachineData data = data_of(*values);
+  machine::MachineData data = data_at(database, person, version);
   carry_out(database, person, panel::PutMachineData{data}, author);
   return data;
+}
+
+std::vector<std::string> machine_data_lines(db::Database& database, db::PersonId person, std::optional<int> version) {
+  const int newest = static_cast<int>(database.machine_data_versions(person).size());
+  const machine::MachineData data = data_at(database, person, version.value_or(newest));
+  std::vector<std::string> lines;
+  for (const auto& form : machine::datum_forms())
+    lines.push_back(fmt::format("{:02} = {}", form.number, data.get(form.number)));
+  return lines;
 }
 
 std::vector<LaborVersion> versions_of(db::Database& database, db::PersonId person, const Subject& of) {

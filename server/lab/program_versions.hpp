@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "db/database.hpp"
@@ -24,6 +26,14 @@ void restore_version(db::Database& database, db::PersonId person, std::uint16_t 
 /// throws   Refusal: no such version, or its values are not allowed any more; nothing changed
 [[nodiscard]] machine::MachineData restore_machine_data_version(db::Database& database, db::PersonId person,
                                                                 int version, const db::Author& author);
+
+/// The machine data stand among a person's programs under this number, as `MD` on a tape (DEC-34).
+inline constexpr std::uint32_t kMachineDataProgram = 10'000;
+
+/// The lines of a machine-data file, `NN = value`, of a version; the newest where none is given.
+/// throws  Refusal: no such version
+[[nodiscard]] std::vector<std::string> machine_data_lines(db::Database& database, db::PersonId person,
+                                                          std::optional<int> version);
 
 /// For the menu, newest first. Machine data have version 0, the delivery, as well.
 [[nodiscard]] std::vector<LaborVersion> versions_of(db::Database& database, db::PersonId person, const Subject& of);

@@ -34,23 +34,35 @@ Json modal_json(const program::ModalState& state) {
           {"m24", test_run}};
 }
 
+/// A database may hold anything: a number outside its range is an error, not a value that no switch knows.
+template <class Number>
+Number number_in(const Json& json, const char* key, std::int64_t least, std::int64_t most) {
+  const auto value = json.at(key).get<std::int64_t>();
+  if (value < least || value > most) throw std::runtime_error(fmt::format("{}: {}", key, value));
+  return static_cast<Number>(value);
+}
+
+constexpr std::int64_t kLargestRate = 99'999;  ///< of F and S
+constexpr std::int64_t kLargestCode = 99;      ///< of T and M
+
 program::ModalState modal_of(const Json& json) {
   program::ModalState state;
   auto& [plane, radius, length, tool_radius, tool_length, scale_on, scale, dimension, feed, rpm, tool, m, spindle,
          coolant, hidden, sub_hidden, potentiometer_off, test_run] = state;
-  plane = static_cast<geometry::Plane>(json.at("plane").get<int>());
-  radius = static_cast<program::RadiusCompensation>(json.at("radius").get<int>());
+  plane = number_in<geometry::Plane>(json, "plane", 0, 2);
+  radius = number_in<program::RadiusCompensation>(json, "radius", 0, 4);
   json.at("length").get_to(length);
-  tool_radius.value = json.at("tool_radius");
-  tool_length.value = json.at("tool_length");
+  tool_radius.value = number_in<std::int64_t>(json, "tool_radius", 0, language::kLargestWord_um);
+  tool_length.value =
+      number_in<std::int64_t>(json, "tool_length", -language::kLargestWord_um, language::kLargestWord_um);
   json.at("scale_on").get_to(scale_on);
   json.at("scale").get_to(scale);
-  dimension = static_cast<program::Dimension>(json.at("dimension").get<int>());
-  json.at("f").get_to(feed);
-  json.at("s").get_to(rpm);
-  json.at("t").get_to(tool);
-  json.at("m").get_to(m);
-  spindle = static_cast<geometry::SpindleTurn>(json.at("spindle").get<int>());
+  dimension = number_in<program::Dimension>(json, "dimension", 0, 1);
+  feed = number_in<int>(json, "f", 0, kLargestRate);
+  rpm = number_in<int>(json, "s", 0, kLargestRate);
+  tool = number_in<int>(json, "t", 0, kLargestCode);
+  m = number_in<int>(json, "m", 0, kLargestCode);
+  spindle = number_in<geometry::SpindleTurn>(json, "spindle", 0, 2);
   json.at("coolant").get_to(coolant);
   json.at("m21").get_to(hidden);
   json.at("m22").get_to(sub_hidden);
@@ -85,8 +97,8 @@ Json start_json(const program::Start& start) {
 program::Start start_of(const Json& json) {
   program::Start start;
   auto& [program, block, position, modal, parameters, compensation] = start;
-  json.at("program").get_to(program);
-  json.at("block").get_to(block);
+  program = number_in<std::uint16_t>(json, "program", 0, language::kLastProgram);
+  block = number_in<std::uint16_t>(json, "block", 0, language::kLastBlock);
   const auto place = json.at("position").get<std::array<double, 4>>();
   position = {place[0], place[1], place[2], place[3]};
   json.at("compensation").get_to(compensation);
@@ -117,16 +129,22 @@ language::Program program_of(std::uint16_t number, const std::vector<std::string
   return program;
 }
 
+std::uint16_t program_number(const std::string& key) {
+  const unsigned long number = std::stoul(key);
+  if (number > language::kLastProgram) throw std::runtime_error("P" + key);
+  return static_cast<std::uint16_t>(number);
+}
+
 program::ProgramSet programs_of(const Json& json, db::Database& database, db::PersonId person) {
   program::ProgramSet programs;
   for (const auto& [key, version] : json.at("versions").items()) {
-    const auto number = static_cast<std::uint16_t>(std::stoul(key));
+    const std::uint16_t number = program_number(key);
     const auto texts = database.program_at(person, number, version);
     if (!texts) throw std::runtime_error(fmt::format("P{:04} version {}", number, version.get<int>()));
     programs.put(program_of(number, *texts));
   }
   for (const auto& [key, texts] : json.at("texts").items()) {
-    const auto number = static_cast<std::uint16_t>(std::stoul(key));
+    const std::uint16_t number = program_number(key);
     programs.put(program_of(number, texts));
   }
   return programs;
@@ -172,6 +190,9 @@ std::expected<panel::RunOrder, std::string> order_of(const Json& json, db::Datab
     order.rests_accumulate = json.value("rests_accumulate", false);
     order.is_single_function = json.value("is_single_function", false);
     order.programs = programs_of(json, database, person);
+    const language::Program* const first = order.programs.find(order.start.program);
+    if (first == nullptr || !first->find(order.start.block))
+      throw std::runtime_error(fmt::format("P{:04} N{:03}", order.start.program, order.start.block));
     return order;
   } catch (const std::exception& error) {  // a record that is not as it was written
     return std::unexpected(error.what());

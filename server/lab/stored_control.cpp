@@ -61,9 +61,10 @@ struct CarryOut {
     database.transaction([&] {
       for (const auto& form : machine::datum_forms()) {
         const db::StoredDatum datum = stored_datum(form.number, put.data.get(form.number));
-        const bool stands_there = std::ranges::any_of(before, [&](const db::StoredDatum& old) {
-          return old.number == datum.number && old.value == datum.value && old.check_code == datum.check_code;
-        });
+        const auto old = std::ranges::find(before, datum.number, &db::StoredDatum::number);
+        const bool stands_there = old == before.end()  // what is missing has its default
+                                      ? datum.value == machine::MachineData{}.get(form.number)
+                                      : old->value == datum.value && old->check_code == datum.check_code;
         if (!stands_there) database.put_machine_datum(person, datum, author);
       }
     });
@@ -151,11 +152,16 @@ std::string change_text(const panel::StoreRequest& request) {
     return fmt::format("insert P{:04} N{:03}", insert->program, insert->block.number);
   if (const auto* erase = std::get_if<panel::DeleteBlock>(&request))
     return fmt::format("delete P{:04} N{:03}", erase->program, erase->block);
+  std::string text;
   if (const auto* remove = std::get_if<panel::RemovePrograms>(&request)) {
-    std::string text = "remove";
     for (const auto number : remove->programs) text += fmt::format(" P{:04}", number);
-    return text;
+    return "remove" + text;
   }
+  if (const auto* put = std::get_if<panel::PutPrograms>(&request)) {
+    for (const auto& program : put->programs) text += fmt::format(" P{:04}", program.number);
+    return "read" + text + (put->data ? " machine data" : "");
+  }
+  if (std::holds_alternative<panel::EraseMemory>(request)) return "erase the whole memory";
   return "machine data";
 }
 

@@ -15,6 +15,15 @@ OutputLevels levels_of(const Outputs& outputs) {
   return levels;
 }
 
+std::array<std::uint8_t, 4> digits_of_s(std::int32_t rpm) {
+  std::array<std::uint8_t, 4> digits{};
+  for (std::uint8_t& digit : digits) {
+    digit = static_cast<std::uint8_t>(rpm % 10);
+    rpm /= 10;
+  }
+  return digits;
+}
+
 SwitchPolarity switch_polarity(std::int64_t endschalter_pol) {
   constexpr std::int64_t kLowActive = 201;
   return endschalter_pol == kLowActive ? SwitchPolarity::damped_is_low : SwitchPolarity::damped_is_high;

@@ -2,6 +2,7 @@
 //
 //   SM interface       all signals low active (HW-006)
 //   I/O cards 1, 2     outputs low active, they pull to ground; inputs high active, 24 V (M-904)
+//   I/O card 3         the four decimal digits of S, units first (FST-004)
 //   limit switches     one line per axis (HW-008); MD 19 says which level means "damped"
 //
 // For drivers of real electronics. The lab itself deals in meanings: `Outputs` and `Inputs` of machine.hpp.
@@ -31,6 +32,9 @@ struct InputLevels {
 };
 
 [[nodiscard]] OutputLevels levels_of(const Outputs& outputs);
+
+/// The digits of `Outputs::s_digits` in the order in which card 3 gives them out: units, tens, hundreds, thousands.
+[[nodiscard]] std::array<std::uint8_t, 4> digits_of_s(std::int32_t rpm);
 
 /// MD 19: 201 = a damped switch gives 0 V, 51503 = it gives 24 V.
 enum class SwitchPolarity : std::uint8_t { damped_is_low, damped_is_high };

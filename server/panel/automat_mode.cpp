@@ -66,8 +66,12 @@ bool uses_absolute(const AutomatMode& mode) {
 }
 
 /// DEC-27: the first start of such a program under a lease asks whether the zero is right; a second START says yes.
+bool is_zero_open(const AutomatMode& mode, const ControlState& state) {
+  return state.connection.is_lab_machine && !state.is_zero_confirmed && uses_absolute(mode);
+}
+
 bool must_confirm_zero(AutomatMode& mode, ControlState& state) {
-  if (!state.connection.is_lab_machine || state.is_zero_confirmed || !uses_absolute(mode)) return false;
+  if (!is_zero_open(mode, state)) return false;
   state.is_zero_confirmed = mode.asks_zero;
   mode.asks_zero = true;
   if (!state.is_zero_confirmed) state.hint = text(Text::said_confirm_zero, state.tongue());
@@ -213,6 +217,25 @@ void follow(AutomatMode& mode, ControlState& state) {
       break;
   }
   prepare_start(mode, state);
+}
+
+bool start_at(AutomatMode& mode, ControlState& state, geometry::SourceBlock place) {
+  mode.program.offer(place.program);
+  confirm_program(mode, state);
+  if (mode.phase != AutomatMode::Phase::block) return false;
+  mode.block.offer(place.block);
+  confirm_block(mode, state);
+  if (mode.phase != AutomatMode::Phase::ready) return false;
+  begin_run(mode, state);
+  return state.run.is_present();
+}
+
+bool would_ask_zero(const ControlState& state, geometry::SourceBlock place) {
+  AutomatMode mode;
+  mode.program.offer(place.program);
+  mode.block.offer(place.block);
+  prepare_start(mode, state);
+  return is_zero_open(mode, state);
 }
 
 geometry::SourceBlock current_block(const AutomatMode& mode, const ControlState& state) {

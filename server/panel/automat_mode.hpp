@@ -44,6 +44,11 @@ void follow(AutomatMode& mode, ControlState& state);
 void draw(const AutomatMode& mode, const ControlState& state, Monitor& monitor);
 [[nodiscard]] std::string sentence_of(const AutomatMode& mode, const ControlState& state);
 
+/// Confirms program and block and starts there, as keys would (EXT-060). False where no run has begun: the screen says
+/// why.
+[[nodiscard]] bool start_at(AutomatMode& mode, ControlState& state, geometry::SourceBlock place);
+/// Would a START there ask first whether the zero is right (DEC-27)?
+[[nodiscard]] bool would_ask_zero(const ControlState& state, geometry::SourceBlock place);
 /// Program and block that a START would act on, or that run.
 [[nodiscard]] geometry::SourceBlock current_block(const AutomatMode& mode, const ControlState& state);
 /// Works out what a start at the acknowledged block begins with (DEC-26).

@@ -7,6 +7,7 @@
 
 #include "panel/key_table.hpp"
 #include "panel/modes.hpp"
+#include "panel/remote_line.hpp"
 #include "panel/screen_frame.hpp"
 #include "panel/state_json.hpp"
 
@@ -57,7 +58,7 @@ bool is_labs_own(Key key) {
   return key == Key::none || key == Key::MELDUNG || key == Key::MASCHINE_HALT || key == Key::LABOR;
 }
 
-constexpr int kBeeperDatum = 22;
+constexpr int kBaudDatum = 20, kBeeperDatum = 22;
 
 /// What the effect has to know of its key: the digit, or which of the six direction keys.
 int figure_of(Effect effect, Key key) {
@@ -126,6 +127,13 @@ struct Control::Impl {
     state.is_media_pending = true;
   }
 
+  void hand_out_line(Outcome& outcome) {
+    SerialPort& port = state.port;
+    outcome.line_news = std::exchange(port.news, {});
+    outcome.is_from_line = port.is_storing;
+    if (port.asked && !std::exchange(port.has_handed_out_start, true)) outcome.remote_start = port.asked;
+  }
+
   /// In `poll`, since what was read is a request to store it, which leaves with an outcome.
   void take_media_answer() {
     const auto answer = std::exchange(media_answer, std::nullopt);
@@ -177,6 +185,7 @@ void Control::connect(Connection connection) {
   if (had_run) state.message.sentence = text(Text::said_connected, state.tongue());
   impl_->signals_heard = state.machine().signals;
   state.is_zero_confirmed = false;
+  if (auto* external = std::get_if<ExternalDataMode>(&impl_->active)) external->armed.reset();  // of another lease
   state.applied_data.reset();
   (void)state.apply_data();  // where it does not stand still yet, the next START tries again
   set_override(state.override_percent);
@@ -213,6 +222,7 @@ Outcome Control::press(Key key, const Now& now) {
   impl_->obey_mode(outcome);
   outcome.store = state.storing;
   impl_->hand_out_media(outcome);
+  impl_->hand_out_line(outcome);
   return outcome;
 }
 
@@ -260,6 +270,8 @@ void Control::store_done(const std::string& error) {
   ControlState& state = impl_->state;
   if (!state.storing) return;
   const StoreRequest request = *std::exchange(state.storing, std::nullopt);
+  const bool is_from_line = state.port.is_storing;
+  if (is_from_line && !error.empty()) panel::line_stored(impl_->active, state, request, false);
   if (!error.empty()) {
     state.message = Message{std::string(text(Text::not_stored, state.tongue())), 0,
                             text(Text::said_not_stored, state.tongue(), {error})};
@@ -267,7 +279,7 @@ void Control::store_done(const std::string& error) {
   }
   apply(request, state);
   if (stores_block(request) && state.data.get(kBeeperDatum) == 1) ++state.beeps;  // EDIT-027
-  stored(impl_->active, state, request);
+  is_from_line ? panel::line_stored(impl_->active, state, request, true) : stored(impl_->active, state, request);
 }
 
 Outcome Control::poll(const Now& now) {
@@ -281,8 +293,11 @@ Outcome Control::poll(const Now& now) {
   impl_->take_media_answer();
   follow(impl_->active, state);
   impl_->obey_mode(outcome);
+  follow_line(impl_->active, state);
+  impl_->obey_mode(outcome);
   if (!was_storing) outcome.store = state.storing;
   impl_->hand_out_media(outcome);
+  impl_->hand_out_line(outcome);
   outcome.picture = std::exchange(state.picture, std::nullopt);
   return outcome;
 }
@@ -335,6 +350,49 @@ void Control::press_recorder(RecorderKey key, const Now& now) {
   }
 }
 
+void Control::fit_line(LineFitting fitting) { impl_->state.port.fitting = std::move(fitting); }
+
+void Control::set_remote(bool is_on) { impl_->state.settings.remote = is_on; }
+
+bool Control::is_remote() const { return impl_->state.settings.remote; }
+
+void Control::connect_line(bool is_connected, const Now& now) {
+  impl_->state.now = now;
+  panel::connect_line(impl_->active, impl_->state, is_connected);
+}
+
+std::size_t Control::line_received(std::string_view bytes, const Now& now) {
+  impl_->state.now = now;
+  return impl_->state.port.line.receive(bytes, impl_->time());
+}
+
+std::string Control::take_line_output(const Now& now, std::size_t most) {
+  impl_->state.now = now;
+  return impl_->state.port.line.take_output(impl_->time(), most);
+}
+
+bool Control::is_line_idle() const {
+  const SerialPort& port = impl_->state.port;
+  return !port.is_storing && !port.asked && port.line.is_idle();
+}
+
+int Control::line_baud() const { return static_cast<int>(impl_->state.data.get(kBaudDatum)); }
+
+bool Control::is_line_reading() const { return impl_->state.port.line.is_reading(); }
+
+std::optional<Armed> Control::armed() const {
+  const auto* external = std::get_if<ExternalDataMode>(&impl_->active);
+  return external == nullptr ? std::nullopt : external->armed;
+}
+
+Outcome Control::answer_remote_start(const std::string& refusal, const Now& now) {
+  impl_->state.now = now;
+  Outcome outcome;
+  outcome.mode_changed = panel::answer_remote_start(impl_->active, impl_->state, refusal);
+  impl_->hand_out_line(outcome);
+  return outcome;
+}
+
 std::string Control::Impl::sentence(const SideView& side) const {
   if (!side.notice.empty()) return side.notice;
   if (!state.hint.empty()) return state.hint;
@@ -375,6 +433,9 @@ Situation Control::situation() const {
     situation.program = teach_in->number();
     situation.block = teach_in->is_open ? static_cast<std::uint16_t>(teach_in->line.number()) : std::uint16_t{0};
   }
+  // What a START would release may change under the student's eyes: a computer sends another program.
+  const auto* external = std::get_if<ExternalDataMode>(&impl_->active);
+  if (external != nullptr && impl_->place() == Place::external_polled) situation.program = impl_->state.editor_program;
   if (const auto* automat = std::get_if<AutomatMode>(&impl_->active)) {
     const geometry::SourceBlock current = current_block(*automat, impl_->state);
     situation.program = current.program;

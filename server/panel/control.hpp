@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -24,6 +25,7 @@
 #include "panel/media.hpp"
 #include "panel/memory.hpp"
 #include "panel/mode.hpp"
+#include "panel/serial_port.hpp"
 #include "shared/key.hpp"
 #include "shared/screen.hpp"
 #include "transfer/cassette.hpp"
@@ -96,11 +98,16 @@ using StoreRequest =
 /// What a key press led to besides a changed screen.
 struct Outcome {
   std::optional<StoreRequest> store;
-  std::optional<MediaRequest> media{};  ///< to be answered by `media_done`, sooner or later
-  std::optional<PutFiles> picture{};    ///< what `order_picture` asked for
-  bool mode_changed = false;            ///< the lab keeps the control's state (SEAT-004)
-  bool was_reset = false;               ///< RESET, alone or in a chord: a lease ends (DEC-39)
-  [[nodiscard]] bool is_anything() const { return store || media || picture || mode_changed || was_reset; }
+  std::optional<MediaRequest> media{};        ///< to be answered by `media_done`, sooner or later
+  std::optional<PutFiles> picture{};          ///< what `order_picture` asked for
+  std::optional<RemoteStart> remote_start{};  ///< to be answered by `answer_remote_start` at once
+  std::vector<std::string> line_news{};       ///< what went over the serial line, for the journal
+  bool is_from_line = false;                  ///< `store` is what the line has brought
+  bool mode_changed = false;                  ///< the lab keeps the control's state (SEAT-004)
+  bool was_reset = false;                     ///< RESET, alone or in a chord: a lease ends (DEC-39)
+  [[nodiscard]] bool is_anything() const {
+    return store || media || picture || remote_start || !line_news.empty() || mode_changed || was_reset;
+  }
 };
 
 /// What stands on a screen and decides whether a START pressed before it is still meant (AUTH-008).
@@ -170,6 +177,25 @@ class Control {
   /// The recorder's own keys.
   enum class RecorderKey : std::uint8_t { rewind, wind_on, stop, zero_counter };
   void press_recorder(RecorderKey key, const Now& now);
+
+  // The serial line (panel/serial_port.hpp)
+  void fit_line(LineFitting fitting);
+  /// The switch at the back (KEY-008).
+  void set_remote(bool is_on);
+  [[nodiscard]] bool is_remote() const;
+  /// Somebody is at the line's other end, or nobody any more.
+  void connect_line(bool is_connected, const Now& now);
+  /// Characters from the other end; as transfer::SerialLine::receive.
+  std::size_t line_received(std::string_view bytes, const Now& now);
+  [[nodiscard]] std::string take_line_output(const Now& now, std::size_t most);
+  /// Nothing on its way in either direction, and nothing of it being worked on.
+  [[nodiscard]] bool is_line_idle() const;
+  [[nodiscard]] int line_baud() const;         ///< MD 20
+  [[nodiscard]] bool is_line_reading() const;  ///< the dash turns (SCR-048)
+  /// What is released for a remote start now; nothing where that is over or used up (AUTH-013).
+  [[nodiscard]] std::optional<Armed> armed() const;
+  /// The lab's word: empty, the run begins; else a sentence that says why not, and "!" is answered with F (DEC-35).
+  Outcome answer_remote_start(const std::string& refusal, const Now& now);
 
   [[nodiscard]] Screen draw(const Now& now, const SideView& side) const;
   [[nodiscard]] Situation situation() const;

@@ -11,6 +11,7 @@
 #include "panel/control.hpp"
 #include "panel/panel_clock.hpp"
 #include "panel/run.hpp"
+#include "panel/serial_port.hpp"
 #include "panel/texts.hpp"
 #include "program/modal_state.hpp"
 #include "transfer/cassette_deck.hpp"
@@ -60,6 +61,7 @@ struct ControlState {
   bool is_media_pending = false;                   ///< handed out, the answer is awaited …
   bool is_media_stale = false;                     ///< … and nobody wants it any more
   std::optional<PutFiles> picture;                 ///< to be handed out, nobody awaits an answer
+  SerialPort port;
   int beeps = 0;
   bool is_zero_confirmed = false;  ///< under the present lease (DEC-27)
   PanelClock clock;

@@ -34,16 +34,23 @@ bool is_fitted(Device device, const ControlState& state) {
       return (state.has_media || state.has_printer) && is_3300;  // MODEL-004
     case Device::tape_out:
     case Device::tape_in:
-      return state.has_media && is_3300;  // MODEL-005
+      return (state.has_media || state.port.fitting.is_fitted) && is_3300;  // MODEL-005, DEC-62
     case Device::computer_out:
     case Device::computer_in:
-      return false;  // D-109
+      return state.port.fitting.is_fitted;  // D-109, DEC-36
   }
   return false;
 }
 
-void choose_device(ExternalDataMode& mode, ControlState& state, int figure) {
-  if (figure < 1) return;
+/// DEC-62: where there is a line, it takes the place of the tape reader and punch.
+bool is_on_line(Device device, const ControlState& state) {
+  const bool is_tape = device == Device::tape_out || device == Device::tape_in;
+  return device == Device::computer_out || device == Device::computer_in || (is_tape && state.port.fitting.is_fitted);
+}
+
+void choose_device(ExternalDataMode& mode, ControlState& state, Effect effect, int figure) {
+  if (effect == Effect::start) return release_start(mode, state);
+  if (effect != Effect::digit || figure < 1) return;
   const auto device = static_cast<Device>(figure);
   if (!is_fitted(device, state)) {
     if (state.settings.hints) state.hint = text(Text::said_not_fitted, state.tongue());
@@ -54,13 +61,6 @@ void choose_device(ExternalDataMode& mode, ControlState& state, int figure) {
   mode.takes_all = false;
   mode.done.clear();
   mode.program.offer(state.editor_program);
-}
-
-void end_transfer(ExternalDataMode& mode, std::string done) {
-  mode.phase = ExternalDataMode::Phase::device;
-  mode.device.reset();
-  mode.print.reset();
-  mode.done = std::move(done);
 }
 
 std::optional<std::uint16_t> chosen(const ExternalDataMode& mode) {
@@ -113,6 +113,7 @@ void write(ExternalDataMode& mode, ControlState& state) {
   std::vector<language::Program> programs = tools_first(leaving(mode, state));
   if (programs.empty()) return;
   mode.phase = ExternalDataMode::Phase::transfer;
+  if (is_on_line(*mode.device, state)) return begin_line_transfer(mode, state, programs);
   const std::string machine_data = mode.takes_all ? machine_data_text(state.data) : std::string();  // D-111
   const auto number = chosen(mode);
   if (mode.device == Device::printer) return print(mode, state, std::move(programs));
@@ -133,6 +134,7 @@ void write(ExternalDataMode& mode, ControlState& state) {
 void read(ExternalDataMode& mode, ControlState& state) {
   mode.phase = ExternalDataMode::Phase::transfer;
   mode.adopts_machine_data = false;
+  if (is_on_line(*mode.device, state)) return begin_line_transfer(mode, state, {});
   if (mode.device == Device::cassette_in) return state.recorder->begin_reading(chosen(mode), time_of(state));
   const MediaKind kind = mode.device == Device::disk_in ? MediaKind::diskette : MediaKind::punched_tape;
   GetFile get{{media_name(kind, chosen(mode))}};
@@ -161,6 +163,7 @@ void press_prompt(ExternalDataMode& mode, ControlState& state, Effect effect, in
 /// STOP: nothing half received is kept (D-107).
 void abort(ExternalDataMode& mode, ControlState& state) {
   if (state.recorder) state.recorder->stop(time_of(state));
+  if (mode.is_on_line) abort_line_transfer(mode, state);
   state.media.reset();
   state.is_media_stale = state.is_media_pending;
   end_transfer(mode, std::string(text(Text::said_transfer_stopped, state.tongue())));
@@ -187,20 +190,31 @@ void take_event(ExternalDataMode& mode, ControlState& state, const transfer::Dec
 
 }  // namespace
 
+void end_transfer(ExternalDataMode& mode, std::string done) {
+  mode.phase = ExternalDataMode::Phase::device;
+  mode.device.reset();
+  mode.print.reset();
+  mode.is_on_line = false;
+  mode.done = std::move(done);
+}
+
 ExternalDataMode open_external_data(const ControlState&) { return {}; }
 
 void close(ExternalDataMode& mode, ControlState& state) {
   if (mode.phase == ExternalDataMode::Phase::transfer) abort(mode, state);
 }
 
-Place place_of(const ExternalDataMode& mode) {
+Place place_of(const ExternalDataMode& mode, const ControlState& state) {
+  const bool is_polled = state.port.fitting.is_fitted && state.settings.remote;
   switch (mode.phase) {
     case ExternalDataMode::Phase::device:
-      return Place::external_device;
+      return is_polled ? Place::external_polled : Place::external_device;
     case ExternalDataMode::Phase::program:
       return Place::external_program;
     case ExternalDataMode::Phase::transfer:
       return Place::external_transfer;
+    case ExternalDataMode::Phase::release:
+      return Place::external_release;
   }
   return Place::external_device;
 }
@@ -208,9 +222,11 @@ Place place_of(const ExternalDataMode& mode) {
 void press(ExternalDataMode& mode, ControlState& state, Effect effect, int figure) {
   switch (mode.phase) {
     case ExternalDataMode::Phase::device:
-      return choose_device(mode, state, figure);
+      return choose_device(mode, state, effect, figure);
     case ExternalDataMode::Phase::program:
       return press_prompt(mode, state, effect, figure);
+    case ExternalDataMode::Phase::release:
+      return press_release(mode, state, effect, figure);
     case ExternalDataMode::Phase::transfer:
       if (effect == Effect::stop) return abort(mode, state);
       if (effect == Effect::enter) return release_enter(mode, state);  // terminals know no release
@@ -228,7 +244,8 @@ void release_enter(ExternalDataMode& mode, ControlState& state) {
 
 void follow(ExternalDataMode& mode, ControlState& state) {
   const auto event = state.recorder ? state.recorder->advance(time_of(state)) : std::nullopt;
-  if (mode.phase != ExternalDataMode::Phase::transfer || state.storing) return;
+  if (mode.phase == ExternalDataMode::Phase::release) return follow_release(mode, state);
+  if (mode.phase != ExternalDataMode::Phase::transfer || state.storing || mode.is_on_line) return;
   if (event) return take_event(mode, state, *event);
   if (mode.print) {
     if (auto files = mode.print->result()) {

@@ -45,14 +45,21 @@ bool take_in(ControlState& state, const ReceivedText& received) {
   PutPrograms put{.programs = std::move(intake->programs), .removed = {}, .data = {}};
   if (received.sought)
     std::erase_if(put.programs, [&](const language::Program& program) { return program.number != *received.sought; });
-  if (put.programs.empty()) {
+  if (received.is_continuation)
+    for (language::Program& part : put.programs) {
+      const language::Program* stored = state.memory.find(part.number);
+      part = transfer::joined(stored == nullptr ? language::Program{part.number, {}} : *stored, part);
+    }
+  const bool has_data =
+      received.adopts_machine_data && !intake->machine_data.empty() && !state.connection.is_lab_machine;
+  if (put.programs.empty() && !has_data) {
     state.complain(Error{.code = ErrorCode::program_missing,
                          .detail = received.sought ? program_word(*received.sought) : std::string()});
     return false;
   }
   if (received.is_whole_memory)
     for (const language::Program& program : state.memory.programs()) put.removed.push_back(program.number);
-  if (received.adopts_machine_data && !intake->machine_data.empty() && !state.connection.is_lab_machine) {
+  if (has_data) {
     put.data = with_data(state, intake->machine_data);
     if (!put.data) return false;
   }

@@ -9,7 +9,8 @@ namespace cnclab::panel {
 
 namespace {
 
-constexpr int kInputColumn = 27, kFirstRow = 3, kPromptRow = 8, kFunctionRow = 10, kRecorderRow = 11;
+constexpr int kInputColumn = 27, kFirstRow = 3, kPromptRow = 8, kFunctionRow = 10, kRecorderRow = 11, kLineRow = 12,
+              kReleaseRow = 13;
 
 struct DeviceRow {
   Device device;
@@ -59,7 +60,23 @@ void draw_prompt(const ExternalDataMode& mode, const ControlState& state, Monito
   monitor.write(kPromptRow + 1, 0, text(Text::all_programs_hint, state.tongue()));
 }
 
+/// What binds a connection to this seat (interfaces.md section 8), and under REMOTE the release of a remote start.
+void draw_line(const ExternalDataMode& mode, const ControlState& state, Monitor& monitor) {
+  constexpr int kNumberColumn = 18, kBlockColumn = 24;
+  const SerialPort& port = state.port;
+  if (!port.fitting.is_fitted) return;
+  monitor.write(kLineRow, 0, text(Text::line, state.tongue(), {port.is_connected ? "●" : "○", port.fitting.binding}));
+  if (!state.settings.remote) return;
+  monitor.write(kReleaseRow, 0, text(Text::remote_release, state.tongue()));
+  if (mode.phase != ExternalDataMode::Phase::release) return;
+  const Attribute attribute = mode.armed ? Attribute::inverse : Attribute::normal;
+  monitor.write(kReleaseRow, kNumberColumn, "P" + mode.program.text(), attribute);
+  monitor.write(kReleaseRow, kBlockColumn, "N" + mode.block.text(), attribute);
+  if (!mode.armed) monitor.mark(kReleaseRow, mode.is_at_block ? kBlockColumn : kNumberColumn);
+}
+
 bool is_reading(const ExternalDataMode& mode, const ControlState& state) {
+  if (state.port.line.is_reading()) return true;
   return mode.device == Device::cassette_in && state.recorder && state.recorder->is_reading();
 }
 
@@ -71,6 +88,7 @@ void draw(const ExternalDataMode& mode, const ControlState& state, Monitor& moni
   draw_prompt(mode, state, monitor);
   if (mode.device == Device::cassette_out) monitor.write(kFunctionRow, 0, text(Text::write_cassette, tongue));
   draw_recorder(state, monitor);
+  draw_line(mode, state, monitor);
   if (!is_reading(mode, state)) return;
   const auto now = std::chrono::duration_cast<transfer::Time>(std::chrono::nanoseconds(state.now.monotonic_ns));
   const char32_t dash = static_cast<char32_t>(transfer::reading_dash(now));
@@ -89,12 +107,15 @@ std::string sentence_of(const ExternalDataMode& mode, const ControlState& state)
         return std::string(text(is_input ? Text::wait_external_next : Text::wait_external_all, tongue));
       return std::string(text(is_input ? Text::wait_external_read : Text::wait_external_write, tongue));
     }
+    case ExternalDataMode::Phase::release:
+      return release_sentence(mode, state);
     case ExternalDataMode::Phase::transfer:
       break;
   }
   if (mode.device == Device::cassette_out && state.recorder &&
       state.recorder->state() == transfer::CassetteDeck::State::leader)
     return std::string(text(Text::wait_external_leader, tongue));
+  if (mode.is_on_line && !state.port.is_connected) return std::string(text(Text::wait_line, tongue));
   if (mode.device == Device::cassette_in) return std::string(text(Text::wait_external_reading, tongue));
   return std::string(text(Text::wait_external_transfer, tongue));
 }

@@ -96,7 +96,8 @@ void execute_line(HandInputMode& mode, ControlState& state) {
                            .compensation_mm = state.compensation_mm},
                  .data = state.effective_data(),
                  .vocabulary = state.settings.vocabulary,
-                 .io_cards = state.settings.io_cards,
+                 // S goes out by card 3 in AUTOMAT alone (D-123)
+                 .io_cards = {state.settings.io_cards[0], state.settings.io_cards[1], false},
                  .rests_accumulate = state.settings.rests_accumulate,
                  .long_work = state.settings.long_work,
                  .is_single_function = true};

@@ -138,6 +138,10 @@ constexpr std::array kRows{
     KeyRow{Place::external_device, Key::D1, Key::D9, Effect::digit, Text::help_device},
     menu(Place::external_device),
 
+    KeyRow{Place::external_polled, Key::D1, Key::D9, Effect::digit, Text::help_device},
+    start(Place::external_polled, Text::help_release),
+    menu(Place::external_polled),
+
     digits(Place::external_program),
     one(Place::external_program, Key::CLEAR, Effect::clear, Text::help_choose_all),
     enter(Place::external_program, Text::help_transfer),
@@ -146,6 +150,13 @@ constexpr std::array kRows{
     stop(Place::external_transfer, Text::help_abort),
     one(Place::external_transfer, Key::SIGN, Effect::sign, Text::help_adopt),
     enter(Place::external_transfer, Text::help_leader),
+
+    digits(Place::external_release),
+    clear(Place::external_release),
+    enter(Place::external_release, Text::help_other_number),
+    start(Place::external_release, Text::help_release),
+    stop(Place::external_release, Text::help_withdraw),
+    menu(Place::external_release),
 
     digits(Place::graphics_program),
     clear(Place::graphics_program),

@@ -35,8 +35,10 @@ enum class Place : std::uint8_t {
   teach_moving,   ///< START state
   // EXTERNE DATEN
   external_device,    ///< a device is to be chosen
+  external_polled,    ///< … while the line is polled under REMOTE: START releases a remote start (AUTH-013)
   external_program,   ///< program number prompt
   external_transfer,  ///< under way (D-107)
+  external_release,   ///< program and block of the remote start that is released
   // GRAFIK
   graphics_program,  ///< program number prompt
   graphics,          ///< the picture, playing or not

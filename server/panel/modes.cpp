@@ -65,6 +65,7 @@ Place place_of(const ActiveMode& mode, const ControlState& state) {
   return std::visit(Overloaded{[](const MenuMode&) { return Place::menu; },
                                [&](const HandInputMode& input) { return place_of(input, state); },
                                [&](const AutomatMode& automat) { return place_of(automat, state); },
+                               [&](const ExternalDataMode& external) { return place_of(external, state); },
                                [](const auto& active) { return place_of(active); }},
                     mode);
 }

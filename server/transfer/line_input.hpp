@@ -16,6 +16,8 @@
 #include <string>
 #include <variant>
 
+#include "transfer/time.hpp"
+
 namespace cnclab::transfer {
 
 inline constexpr std::size_t kLineBuffer = 4096;  ///< 1000H
@@ -32,6 +34,7 @@ struct TextReceived {
 };
 struct StartReceived {
   std::uint16_t program = 0, block = 0;
+  Time came{};  ///< when its last character had arrived; set by the line
 };  ///< PxxxxNxxx*
 struct EraseReceived {};  ///< #
 struct StatusQuery {};    ///< !

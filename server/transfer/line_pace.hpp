@@ -25,6 +25,9 @@ class LinePace {
  public:
   explicit LinePace(LineSpeed speed) : speed_(speed) {}
 
+  /// From the next character on.
+  void set_speed(LineSpeed speed) { speed_ = speed; }
+
   /// Puts characters on the line at `now`, behind those that are on their way.
   void put(std::string_view bytes, Time now);
   /// When the next character has arrived; nothing where none is on its way.

@@ -25,11 +25,16 @@ constexpr std::size_t kMostAnswers = 1024;
 
 std::string SerialLine::with_parity(std::string_view text) { return with_even_parity(text); }
 
+void SerialLine::set_speed(LineSpeed speed) {
+  input_.set_speed(speed);
+  output_.set_speed(speed);
+}
+
 void SerialLine::begin(Mode mode, Time now) {
   mode_ = mode;
   time_ = std::max(time_, now);
   asked_ = {};
-  is_running_ = has_failed_ = false;
+  is_running_ = has_failed_ = is_held_ = false;
   silent_since_.reset();
   input_.clear();
 }
@@ -40,10 +45,26 @@ void SerialLine::begin_reading(Time now) {
   switch_reader_on();
 }
 
-void SerialLine::begin_remote(std::uint16_t program, Time now) {
+void SerialLine::begin_remote(std::uint16_t program, Time now, bool is_held) {
   begin(Mode::remote, now);
   input_rules_ = LineInput(true, program);
-  switch_reader_on();
+  is_held_ = is_held;
+  ask_again();
+}
+
+void SerialLine::hold(Time now) {
+  if (mode_ != Mode::remote || is_held_) return;
+  time_ = std::max(time_, now);
+  is_held_ = true;
+  silent_since_.reset();
+  if (is_reader_on_) switch_reader_off();
+}
+
+void SerialLine::go_on(Time now) {
+  if (mode_ != Mode::remote || !is_held_) return;
+  time_ = std::max(time_, now);
+  is_held_ = false;
+  if (!is_waiting_for_answer() && !is_running_) ask_again();
 }
 
 void SerialLine::begin_sending(std::string_view text, Time now) {
@@ -58,10 +79,26 @@ void SerialLine::stop(Time now) {
   begin(Mode::off, now);
 }
 
+void SerialLine::cut(Time now) {
+  is_reader_on_ = false;
+  input_rules_.forget();
+  output_.clear();
+  begin(Mode::off, now);
+}
+
+bool SerialLine::ends_transmission() const {
+  const auto* text = std::get_if<TextReceived>(&asked_);
+  return text != nullptr && text->is_last;
+}
+
 void SerialLine::switch_reader_on() {
   is_reader_on_ = true;
   silent_since_.reset();
   send({&kReaderOn, 1});
+}
+
+void SerialLine::ask_again() {
+  if (!is_held_) switch_reader_on();
 }
 
 void SerialLine::switch_reader_off() {
@@ -78,16 +115,20 @@ std::size_t SerialLine::receive(std::string_view bytes, Time now) {
   return taken.size();
 }
 
-std::string SerialLine::take_output(Time now) {
+std::string SerialLine::take_output(Time now, std::size_t most) {
   std::string bytes;
-  for (auto due = output_.due(); due && *due <= now; due = output_.due()) bytes += output_.take();
+  for (auto due = output_.due(); due && *due <= now && bytes.size() < most; due = output_.due())
+    bytes += output_.take();
   return bytes;
 }
 
 std::optional<LineEvent> SerialLine::advance(Time now, const ControlStatus& status) {
   for (auto due = input_.due(); due && *due <= now && mode_ != Mode::off; due = input_.due()) {
     time_ = std::max(time_, *due);
-    if (auto event = take(input_.take(), status)) return event;
+    auto event = take(input_.take(), status);
+    if (!event) continue;
+    if (auto* start = std::get_if<StartReceived>(&*event)) start->came = *due;
+    return event;
   }
   time_ = std::max(time_, now);
   if (silent_since_ && time_ - *silent_since_ >= kSilence) switch_reader_on();
@@ -145,7 +186,7 @@ void SerialLine::accept() {
   else if (mode_ == Mode::reading && text != nullptr && text->is_last)
     mode_ = Mode::off;
   else
-    switch_reader_on();
+    ask_again();
 }
 
 void SerialLine::refuse() {
@@ -153,7 +194,7 @@ void SerialLine::refuse() {
   asked_ = {};
   has_failed_ = true;
   if (mode_ == Mode::remote)
-    switch_reader_on();
+    ask_again();
   else
     mode_ = Mode::off;
 }
@@ -162,7 +203,7 @@ void SerialLine::run_ended(Time now) {
   if (!is_running_) return;
   is_running_ = false;
   time_ = std::max(time_, now);
-  switch_reader_on();
+  ask_again();
 }
 
 }  // namespace cnclab::transfer

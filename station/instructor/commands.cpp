@@ -34,6 +34,22 @@ const CLI::Validator& program_name() {
   return kValidator;
 }
 
+constexpr std::uint32_t kMachineData = 10'000;  ///< machine data among the programs, as `MD` on a tape
+
+/// As `program_number`, and MD.
+std::optional<std::uint32_t> program_or_data(const std::string& text) {
+  return text == "MD" ? kMachineData : program_number(text);
+}
+
+const CLI::Validator& program_or_data_name() {
+  static const CLI::Validator validator(
+      [](std::string& text) {
+        return program_or_data(text) ? std::string() : text + ": P0000 to P9999, or MD for the machine data";
+      },
+      "P0001");
+  return validator;
+}
+
 /// The subcommands below one app. An argument's value lives in the command's `Fill`, which shares it.
 class Table {
  public:
@@ -265,7 +281,7 @@ void add_roster_files(Table& table) {
 void add_program_choice(CLI::App& sub, const std::shared_ptr<std::string>& student,
                         const std::shared_ptr<std::string>& program) {
   needed(sub, "name", student, "student");
-  needed(sub, "program", program, "P0001")->check(program_name());
+  needed(sub, "program", program, "P0001, or MD: the machine data")->check(program_or_data_name());
 }
 
 void add_program_copies(Table& program) {
@@ -312,7 +328,7 @@ void add_programs(Table& table) {
     auto& sub = program.add(name, description, [=](Command& c) {
       auto* chosen = choose(c.request);
       chosen->set_student(*student);
-      chosen->set_program(program_number(*number).value_or(0));
+      chosen->set_program(program_or_data(*number).value_or(0));
       chosen->set_version(*version);
     });
     add_program_choice(sub, student, number);

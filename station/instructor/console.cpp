@@ -54,7 +54,7 @@ class Console {
     Window window;
     while (!quits_ && !failure_) {
       count_lost_seconds();
-      window.show(draw_console(model_));
+      window.show(draw_console(model_, Window::columns()));
       context_.run_for(kLook);
       while (const auto input = window.next_input()) take(*input);
     }

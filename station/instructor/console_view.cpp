@@ -20,19 +20,29 @@ struct Column {
   int width;
   Text heading;
 };
-constexpr Column kSeat{3, 5, {"Platz", "Seat"}}, kName{9, 16, {"Name", "Name"}}, kMode{26, 15, {"Betriebsart", "Mode"}},
-    kProgram{42, 10, {"Programm", "Program"}}, kRunning{53, 5, {"läuft", "runs"}}, kLink{59, 5, {"Netz", "Line"}},
-    kHand{65, 4, {"Hand", "Hand"}}, kControl{70, 9, {"Maschine", "Machine"}};
+constexpr Column kSeat{2, 2, {"Pl", "St"}}, kName{5, 12, {"Name", "Name"}}, kMode{18, 15, {"Betriebsart", "Mode"}},
+    kRunning{34, 1, {"", ""}}, kProgram{35, 10, {"Programm", "Program"}}, kLink{46, 5, {"Netz", "Line"}},
+    kHand{52, 4, {"Hand", "Hand"}}, kKey{57, 9, {"Taste", "Key"}}, kErrors{67, 4, {"Fehl", "Err."}},
+    kControl{72, 8, {"Maschine", "Machine"}};
 
 class Drawing {
  public:
   explicit Drawing(const ConsoleModel& model) : model_(model) {}
 
-  [[nodiscard]] Screen draw() {
-    if (model_.overlay == Overlay::watching) {
-      draw_watched();
-      return screen_;
-    }
+  /// The station's own 24 rows, with a line over its frame that says how to leave.
+  [[nodiscard]] Screen draw_watched() {
+    screen_ = model_.watched.screen;
+    const Text watching{" Platz {}: Bild. t Tastatur übernehmen, jede andere Taste: zurück ",
+                        " Station {}: its screen. t takes its keyboard over, any other key: back "};
+    const Text typing{" Platz {}: Ihre Tastatur. F8 gibt sie zurück, F12 MASCHINE HALT ",
+                      " Station {}: your keyboard. F8 gives it back, F12 MACHINE HALT "};
+    const Text& text = model_.watched.is_typing ? typing : watching;
+    screen_.write(0, 1, fmt::format(fmt::runtime(say(text)), model_.watched.station), Attribute::inverse);
+    if (!model_.message.text.empty()) screen_.write(17, 1, model_.message.text, Attribute::inverse, 64);
+    return screen_;
+  }
+
+  [[nodiscard]] Screen draw_seats() {
     draw_title();
     if (model_.overlay == Overlay::help) {
       draw_help();
@@ -70,7 +80,7 @@ class Drawing {
   }
 
   void draw_headings() {
-    for (const auto& column : {kSeat, kName, kMode, kProgram, kRunning, kLink, kHand, kControl}) {
+    for (const auto& column : {kSeat, kName, kMode, kProgram, kLink, kHand, kKey, kErrors, kControl}) {
       screen_.write(1, column.at, say(column.heading), Attribute::bold, column.width);
     }
   }
@@ -97,8 +107,11 @@ class Drawing {
     put(kMode, at_seat->mode());
     if (at_seat->program() != 0) put(kProgram, fmt::format("P{:04} N{:03}", at_seat->program(), at_seat->block()));
     if (at_seat->running()) put(kRunning, "●");
+    put(kKey, at_seat->last_key());
+    if (at_seat->errors_last_minute() != 0) put(kErrors, fmt::format("{:3}", at_seat->errors_last_minute()));
     put(kLink, at_seat->connected() ? say({"ja", "yes"}) : say({"FEHLT", "LOST"}));
     if (at_seat->meldung() != 0) put(kHand, fmt::format("{}.", at_seat->meldung()));
+    if (at_seat->remote() && control_of(seat).empty()) put(kControl, "REMOTE");  // its control listens to a computer
     if (at_seat->locked()) put(kControl, say({"gesperrt", "locked"}));
     if (!at_seat->taken_by().empty()) put(kControl, at_seat->taken_by());
   }
@@ -149,18 +162,6 @@ class Drawing {
     if (!status.halted_by().empty()) {
       screen_.write(kTickRow, 62, fmt::format("HALT: {}", status.halted_by()), Attribute::inverse, 17);
     }
-  }
-
-  /// The station's own 24 rows, with a line over its frame that says how to leave.
-  void draw_watched() {
-    screen_ = model_.watched.screen;
-    const Text watching{" Platz {}: Bild. t Tastatur übernehmen, jede andere Taste: zurück ",
-                        " Station {}: its screen. t takes its keyboard over, any other key: back "};
-    const Text typing{" Platz {}: Ihre Tastatur. F8 gibt sie zurück, F12 MASCHINE HALT ",
-                      " Station {}: your keyboard. F8 gives it back, F12 MACHINE HALT "};
-    const Text& text = model_.watched.is_typing ? typing : watching;
-    screen_.write(0, 1, fmt::format(fmt::runtime(say(text)), model_.watched.station), Attribute::inverse);
-    if (!model_.message.text.empty()) screen_.write(17, 1, model_.message.text, Attribute::inverse, 64);
   }
 
   void draw_page() {
@@ -231,8 +232,8 @@ class Drawing {
         {"q             Konsole beenden", "q             quit the console"},
         {"F12 und p ersetzen kein NOT-HALT: der ist ein Schalter an der Maschine.",
          "F12 and p are no emergency stop: that is a switch at the machine."},
-        {"► dieser Platz steuert die Maschine   Hand: Reihenfolge der Meldungen",
-         "► this seat controls the machine      Hand: order of raised hands"},
+        {"► steuert die Maschine  ● läuft  Hand: Reihenfolge  Fehl: in der letzten Minute",
+         "► has the machine  ● runs  Hand: order of hands  Err.: in the last minute"},
         {"Jede Taste schließt diese Seite.", "Any key closes this page."},
     }};
     int row = kFirstSeatRow;
@@ -245,6 +246,11 @@ class Drawing {
 
 }  // namespace
 
-Screen draw_console(const ConsoleModel& model) { return Drawing(model).draw(); }
+Drawn draw_console(const ConsoleModel& model, int columns) {
+  const bool is_watching = model.overlay == Overlay::watching;
+  if (!is_watching) return {Drawing(model).draw_seats(), std::nullopt};
+  if (columns < kWideColumns) return {Drawing(model).draw_watched(), std::nullopt};
+  return {Drawing(model).draw_seats(), Drawing(model).draw_watched()};
+}
 
 }  // namespace cnclab::instructor

@@ -73,6 +73,20 @@ Input character_input(wint_t character) {
   return Typed{static_cast<char32_t>(character)};
 }
 
+void put(const Screen& screen, int left) {
+  const int rows = std::min(LINES, Screen::kRows);
+  const int columns = std::min(COLS - left, Screen::kColumns);
+  for (int row = 0; row < rows; ++row) {
+    for (int column = 0; column < columns; ++column) {
+      const Cell& cell = screen.at(row, column);
+      const wchar_t text[] = {static_cast<wchar_t>(cell.code), L'\0'};
+      cchar_t character{};
+      setcchar(&character, text, curses_attribute(cell.attribute), 0, nullptr);
+      mvadd_wch(row, left + column, &character);
+    }
+  }
+}
+
 }  // namespace
 
 Window::Window() {
@@ -91,20 +105,14 @@ Window::Window() {
 
 Window::~Window() { endwin(); }
 
-void Window::show(const Screen& screen) {
-  const int rows = std::min(LINES, Screen::kRows);
-  const int columns = std::min(COLS, Screen::kColumns);
-  for (int row = 0; row < rows; ++row) {
-    for (int column = 0; column < columns; ++column) {
-      const Cell& cell = screen.at(row, column);
-      const wchar_t text[] = {static_cast<wchar_t>(cell.code), L'\0'};
-      cchar_t character{};
-      setcchar(&character, text, curses_attribute(cell.attribute), 0, nullptr);
-      mvadd_wch(row, column, &character);
-    }
-  }
+void Window::show(const Drawn& drawn) {
+  erase();
+  put(drawn.screen, 0);
+  if (drawn.beside) put(*drawn.beside, Screen::kColumns + 1);
   refresh();
 }
+
+int Window::columns() { return COLS; }
 
 std::optional<Input> Window::next_input() {
   wint_t key = 0;

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "instructor/console_model.hpp"
-#include "shared/screen.hpp"
+#include "instructor/console_view.hpp"
 
 namespace cnclab::instructor {
 
@@ -16,8 +16,9 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
-  /// Brings the screen to the terminal's top left corner; what does not fit is cut.
-  void show(const Screen& screen);
+  /// Brings what was drawn to the terminal's top left corner; what does not fit is cut.
+  void show(const Drawn& drawn);
+  [[nodiscard]] static int columns();
   /// What the user did; nothing while they do nothing. Never waits.
   [[nodiscard]] std::optional<Input> next_input();
 };

@@ -9,6 +9,7 @@
 #include <boost/asio/ssl/stream.hpp>
 #include <boost/asio/write.hpp>
 #include <chrono>
+#include <cstdint>
 #include <optional>
 
 #include "cnclab/v1/envelope.pb.h"
@@ -38,12 +39,17 @@ class Line {
     boost::asio::read(stream_, boost::asio::buffer(header));
     std::string body(body_length(header).value(), '\0');
     boost::asio::read(stream_, boost::asio::buffer(body));
+    received_bytes_ += header.size() + body.size();
     v1::ServerMessage message;
     if (!message.ParseFromString(body)) return std::nullopt;
     return message;
   }
 
+  /// Frames, without what TLS adds.
+  [[nodiscard]] std::uint64_t received_bytes() const { return received_bytes_; }
+
  private:
+  std::uint64_t received_bytes_ = 0;
   boost::asio::io_context context_;
   boost::asio::ssl::context tls_ = client_context();
   boost::asio::ssl::stream<boost::asio::ip::tcp::socket> stream_{context_, tls_};

@@ -105,7 +105,7 @@ struct Crash : ::testing::Test {
   }
 };
 
-TEST_F(Crash, EveryAcknowledgedBlockSurvivesKill9) {
+TEST_F(Crash, STO_002_EveryAcknowledgedBlockSurvivesKill9) {
   {
     auto database = opened(folder.file());
     for (int student = 0; student < kStudents; ++student) add_student(database, student_name(student));

@@ -211,9 +211,9 @@ TEST(Failure, EveryKindHasASentenceForRow18InBothLanguages) {  // DEC-01: one ro
        {FailureKind::locked, FailureKind::full, FailureKind::damaged, FailureKind::disk, FailureKind::refused})
     for (const char* language : {"de", "en"}) {
       const auto text = explain(kind, language);
-      EXPECT_TRUE(text.starts_with(language[0] == 'd' ? "Nicht gespeichert: " : "Not stored: ")) << text;
       const auto is_start = [](char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; };
-      EXPECT_LE(std::count_if(text.begin(), text.end(), is_start), 80) << text;
+      const auto room = 80 - std::string_view(language[0] == 'd' ? "Nicht gespeichert: " : "Not stored: ").size();
+      EXPECT_LE(static_cast<std::size_t>(std::count_if(text.begin(), text.end(), is_start)), room) << text;
     }
 }
 

@@ -1,5 +1,6 @@
 // Feeds any bytes to the serial line, as a sender that keeps to nothing: the first byte chooses mode, speed and
-// answers, every 00H..1FH among the others lets that many milliseconds pass too. Texts go on to the tape reader.
+// answers, every 00H..1FH among the others lets that many milliseconds pass too; 1CH to 1FH hold, release and cut the
+// line. Texts go on to the tape reader.
 #include <bit>
 #include <cstdint>
 #include <cstdlib>
@@ -52,6 +53,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     static_cast<void>(talk.line.receive({&byte, 1}, talk.now));
     const auto code = static_cast<unsigned char>(byte);
     if (code < 0x20) talk.pass(std::chrono::milliseconds(code));
+    if (code == 0x1C) talk.line.hold(talk.now);
+    if (code == 0x1D) talk.line.go_on(talk.now);
+    if (code == 0x1E) talk.line.run_ended(talk.now);
+    if (code == 0x1F && (data[0] & 8U) != 0) talk.line.cut(talk.now);
   }
   talk.pass(std::chrono::hours(1));
   talk.line.stop(talk.now);

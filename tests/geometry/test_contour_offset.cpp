@@ -1,5 +1,7 @@
 // G41 and G42 against the manual's square and hand-worked joints (COMP-001 to COMP-011; D-70, D-71, D-75, D-128,
 // DEC-09).
+#include <algorithm>
+#include <iterator>
 #include <numbers>
 
 #include "stage_rig.hpp"
@@ -81,7 +83,7 @@ struct JointRow {
 };
 
 /// Entry from (0,-20); the first element begins at (0,0) and runs along the first axis to (20,0).
-std::vector<JointRow> joint_rows() {
+std::vector<JointRow> joints_of_lines() {
   const auto left = OffsetSide::left, right = OffsetSide::right;
   return {
       {"line-line inner 90°",
@@ -114,6 +116,13 @@ std::vector<JointRow> joint_rows() {
        5,
        [](Part& p) { p.line(0, 0).line(20, 0).line(0, 0); },
        {{3, 'L', 0, 5}, {4, 'L', 20, 5}, {5, 'A', 20, -5, 0, 5 * pi}, {5, 'L', 0, -5}}},
+  };
+}
+
+/// As above, at least one of the two is an arc.
+std::vector<JointRow> joints_with_arcs() {
+  const auto left = OffsetSide::left, right = OffsetSide::right;
+  return {
       {"line-arc tangent, tool inside",
        left,
        5,
@@ -183,8 +192,10 @@ std::vector<JointRow> joint_rows() {
 }
 
 TEST(ContourOffset, JointsOfLinesAndArcsInEveryPlane_COMP004_COMP009_COMP011_D71_D128) {
+  std::vector<JointRow> rows = joints_of_lines();
+  std::ranges::move(joints_with_arcs(), std::back_inserter(rows));
   for (const Plane plane : kPlanes) {
-    for (const JointRow& row : joint_rows()) {
+    for (const JointRow& row : rows) {
       Part part(plane);
       part.from(0, -20).add(Mark{}).radius(row.side, row.radius);
       row.program(part);

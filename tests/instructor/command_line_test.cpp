@@ -42,7 +42,8 @@ TEST_P(CommandTable, becomes_its_request) {
   EXPECT_EQ(line->command->request.ShortDebugString(), expected.ShortDebugString());
 }
 
-std::vector<Row> rows() {
+/// The selector, the machine, the stations.
+std::vector<Row> machine_rows() {
   return {
       {"INS-005 status", {"status"}, "status{}"},
       {"AUTH-002 select", {"select", "7"}, "select{station:7}"},
@@ -74,6 +75,12 @@ std::vector<Row> rows() {
       {"SEC-007 lock", {"lock", "4"}, "lock{station:4}"},
       {"SEC-007 unlock", {"unlock", "4"}, "unlock{station:4}"},
       {"SEC-007 expel", {"expel", "4"}, "expel{station:4}"},
+  };
+}
+
+/// People, their programs and records.
+std::vector<Row> people_rows() {
+  return {
       {"INS-004 students", {"students"}, "students{}"},
       {"SEC-002 student add", {"student", "add", "anna"}, R"(student_add{name:"anna" role:"student"})"},
       {"INS-004 student add with everything",
@@ -109,6 +116,9 @@ std::vector<Row> rows() {
       {"STO-005 program restore",
        {"program", "restore", "anna", "P0001", "3"},
        R"(program_restore{student:"anna" program:1 version:3})"},
+      {"STO-005 program restore of machine data",
+       {"program", "restore", "anna", "MD", "3"},
+       R"(program_restore{student:"anna" program:10000 version:3})"},
       {"STO-007 runs", {"runs", "anna"}, R"(runs{name:"anna"})"},
       {"STO-007 run trace", {"run", "trace", "12", "/tmp/trace.csv"}, "run_trace{run:12}"},
       {"STO-007 run replay", {"run", "replay", "12"}, "run_replay{run:12}"},
@@ -119,7 +129,8 @@ std::vector<Row> rows() {
   };
 }
 
-INSTANTIATE_TEST_SUITE_P(INS_005, CommandTable, testing::ValuesIn(rows()));
+INSTANTIATE_TEST_SUITE_P(INS_005_machine, CommandTable, testing::ValuesIn(machine_rows()));
+INSTANTIATE_TEST_SUITE_P(INS_005_people, CommandTable, testing::ValuesIn(people_rows()));
 
 TEST(CommandLine, INS_005_content_goes_to_the_named_file) {
   EXPECT_EQ(read_command_line({"run", "trace", "1", "/tmp/t.csv"})->command->content_file, "/tmp/t.csv");
@@ -190,6 +201,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadRow{"missing file", {"program", "send", "/nowhere", "a"}, "/nowhere"},
                     BadRow{"all and names", {"program", "send", tape(), "a", "--all"}, "all"},
                     BadRow{"program 12345", {"program", "show", "a", "12345"}, "12345"},
+                    BadRow{"machine data are sent by no tape", {"program", "collect", "/tmp", "MD"}, "MD"},
                     BadRow{"half a datum", {"machine-data", "06="}, "06="},
                     BadRow{"huge datum", {"machine-data", "06=99999999999999999999"}, "06="},
                     BadRow{"two sizes", {"workpiece", "1", "2"}, "size"}, BadRow{"no text", {"message", "all"}, "text"},

@@ -87,9 +87,9 @@ TEST(ConsolePage, INS_003_a_long_answer_is_scrolled_and_closed) {
   for (int i = 0; i < 40; ++i) answer.add_items()->mutable_student()->set_name("s" + std::to_string(i));
   ConsoleModel model = with_answer(connected(), request, answer);
   ASSERT_EQ(model.overlay, Overlay::page);
-  EXPECT_THAT(draw_console(model).text(kFirstSeatRow), HasSubstr("\"s0\""));
+  EXPECT_THAT(draw_console(model).screen.text(kFirstSeatRow), HasSubstr("\"s0\""));
   model = react(model, Typed{U' '}).model;
-  EXPECT_THAT(draw_console(model).text(kFirstSeatRow), HasSubstr("\"s15\""));
+  EXPECT_THAT(draw_console(model).screen.text(kFirstSeatRow), HasSubstr("\"s15\""));
   for (int i = 0; i < 50; ++i) model = react(model, Special::down).model;
   EXPECT_EQ(model.page_top, 25);
   EXPECT_EQ(react(model, Special::escape).model.overlay, Overlay::none);
@@ -102,7 +102,7 @@ TEST(ConsoleWatching, INS_002_a_stations_screen_fills_the_console_until_a_key) {
   Screen screen;
   screen.write(5, 3, "EINGABEMODUS");
   model = with_screen(std::move(model), screen);
-  EXPECT_THAT(draw_console(model).text(5), HasSubstr("EINGABEMODUS"));
+  EXPECT_THAT(draw_console(model).screen.text(5), HasSubstr("EINGABEMODUS"));
   EXPECT_EQ(asked(react(model, Typed{U't'})), "take { station: 7 }");
   const Reaction back = react(model, Typed{U'q'});
   EXPECT_EQ(asked(back), "watch { }");

@@ -39,24 +39,33 @@ ConsoleModel lesson() {
   anna.set_block(3);
   anna.set_running(true);
   anna.set_connected(true);
+  anna.set_last_key("EINZELSATZ");
   auto& otto = *status.add_stations();
   otto.set_station(9);
   otto.set_user("otto");
   otto.set_mode("EINGABEMODUS");
   otto.set_meldung(1);
+  otto.set_errors_last_minute(2);
   return model;
 }
 
 TEST(ConsoleView, INS_001_every_seat_has_a_line_with_who_what_and_control) {
-  const Screen screen = draw_console(lesson());
-  EXPECT_EQ(trimmed(screen, 1), "   Platz Name             Betriebsart     Programm   läuft Netz  Hand Maschine");
-  EXPECT_EQ(trimmed(screen, 8), "    7    anna             AUTOMAT         P0001 N003 ●     ja         ►");
-  EXPECT_EQ(trimmed(screen, 10), "    9    otto             EINGABEMODUS                     FEHLT 1.");
-  EXPECT_EQ(trimmed(screen, 16), "   15    (frei)");
+  const Screen screen = draw_console(lesson()).screen;
+  EXPECT_EQ(trimmed(screen, 1), "  Pl Name         Betriebsart      Programm   Netz  Hand Taste     Fehl Maschine");
+  EXPECT_EQ(trimmed(screen, 8), "   7 anna         AUTOMAT         ●P0001 N003 ja         EINZELSAT      ►");
+  EXPECT_EQ(trimmed(screen, 10), "   9 otto         EINGABEMODUS                FEHLT 1.               2");
+  EXPECT_EQ(trimmed(screen, 16), "  15 (frei)");
+}
+
+TEST(ConsoleView, KEY_008_a_station_under_REMOTE_says_so) {
+  ConsoleModel model = lesson();
+  for (auto& station : *model.status->mutable_stations()) station.set_remote(true);
+  EXPECT_THAT(draw_console(model).text(10), HasSubstr("FEHLT 1.   REMOTE"));
+  EXPECT_THAT(draw_console(model).text(8), Not(HasSubstr("REMOTE"))) << "who has the machine is shown first";
 }
 
 TEST(ConsoleView, INS_001_machine_and_tick_have_a_line_each) {
-  const Screen screen = draw_console(lesson());
+  const Screen screen = draw_console(lesson()).screen;
   EXPECT_EQ(trimmed(screen, 18), " Maschine  FÄHRT      X+0085.000 Y-0060.500 Z+0000.000    F1000 S-0500");
   EXPECT_EQ(trimmed(screen, 19), " Takt      verspätet 0, längster 0.25 ms    Freigabe Nr 12");
 }
@@ -64,21 +73,21 @@ TEST(ConsoleView, INS_001_machine_and_tick_have_a_line_each) {
 TEST(ConsoleView, AUTH_012_an_unreferenced_machine_says_so) {
   ConsoleModel model = lesson();
   model.status->mutable_machine()->set_referenced(false);
-  EXPECT_THAT(draw_console(model).text(18), HasSubstr("UNREF."));
-  EXPECT_THAT(draw_console(lesson()).text(18), Not(HasSubstr("UNREF.")));
+  EXPECT_THAT(draw_console(model).screen.text(18), HasSubstr("UNREF."));
+  EXPECT_THAT(draw_console(lesson()).screen.text(18), Not(HasSubstr("UNREF.")));
 }
 
 TEST(ConsoleView, AUTH_006_the_screen_names_who_halted) {
   ConsoleModel model = lesson();
   model.status->set_halted_by("Platz 9");
-  EXPECT_THAT(draw_console(model).text(19), HasSubstr("HALT: Platz 9"));
+  EXPECT_THAT(draw_console(model).screen.text(19), HasSubstr("HALT: Platz 9"));
 }
 
 TEST(ConsoleView, AUTH_005_an_offer_is_shown_at_its_seat) {
   ConsoleModel model = lesson();
   model.status->set_selected(0);
   model.status->set_offered(9);
-  const Screen screen = draw_console(model);
+  const Screen screen = draw_console(model).screen;
   EXPECT_THAT(screen.text(10), HasSubstr("gefragt"));
   EXPECT_THAT(screen.text(8), Not(HasSubstr("►")));
 }
@@ -86,7 +95,7 @@ TEST(ConsoleView, AUTH_005_an_offer_is_shown_at_its_seat) {
 TEST(ConsoleView, the_chosen_seat_is_inverse_over_its_whole_row) {
   ConsoleModel model = lesson();
   model.chosen = 9;
-  const Screen screen = draw_console(model);
+  const Screen screen = draw_console(model).screen;
   EXPECT_EQ(screen.at(10, 0).attribute, Attribute::inverse);
   EXPECT_EQ(screen.at(10, 79).attribute, Attribute::inverse);
   EXPECT_EQ(screen.at(9, 0).attribute, Attribute::normal);
@@ -96,7 +105,7 @@ TEST(ConsoleView, SEAT_005_a_lost_line_is_never_shown_as_live) {
   ConsoleModel model = lesson();
   model.link = Link::lost;
   model.lost_for_s = 3;
-  const Screen screen = draw_console(model);
+  const Screen screen = draw_console(model).screen;
   EXPECT_THAT(screen.text(0), HasSubstr("VERBINDUNG VERLOREN 3 s"));
   EXPECT_EQ(screen.at(8, 9).attribute, Attribute::dim);
   EXPECT_EQ(screen.at(18, 22).attribute, Attribute::dim);
@@ -105,36 +114,53 @@ TEST(ConsoleView, SEAT_005_a_lost_line_is_never_shown_as_live) {
 TEST(ConsoleView, before_the_first_status_nothing_is_claimed) {
   ConsoleModel model = lesson();
   model.status.reset();
-  const Screen screen = draw_console(model);
-  EXPECT_EQ(trimmed(screen, 3), "    2");
+  const Screen screen = draw_console(model).screen;
+  EXPECT_EQ(trimmed(screen, 3), "   2");
   EXPECT_THAT(screen.text(18), HasSubstr("noch keine Angaben"));
 }
 
 TEST(ConsoleView, keys_stand_on_the_bottom_line_in_both_languages) {
   ConsoleModel model = lesson();
   for (const auto* key : {"1-9", "s ", "r ", "F12/h", "c ", "p ", "?", "q"}) {
-    EXPECT_THAT(draw_console(model).text(23), HasSubstr(key));
+    EXPECT_THAT(draw_console(model).screen.text(23), HasSubstr(key));
   }
   model.language = station::Language::english;
   for (const auto* key : {"1-9", "select", "release", "F12/h", "clear", "power", "? help", "q quit"}) {
-    EXPECT_THAT(draw_console(model).text(23), HasSubstr(key));
+    EXPECT_THAT(draw_console(model).screen.text(23), HasSubstr(key));
   }
 }
 
 TEST(ConsoleView, AUTH_010_the_help_page_says_that_an_emergency_stop_is_hardware) {
   ConsoleModel model = lesson();
   model.overlay = Overlay::help;
-  const Screen screen = draw_console(model);
+  const Screen screen = draw_console(model).screen;
   std::string all;
   for (int row = 0; row < Screen::kRows; ++row) all += screen.text(row);
   EXPECT_THAT(all, HasSubstr("kein NOT-HALT"));
   EXPECT_THAT(all, HasSubstr("FÄHRT"));  // the machine stays in sight
 }
 
+TEST(ConsoleView, INS_002_a_watched_screen_takes_the_place_of_the_seats_or_stands_beside_them) {
+  ConsoleModel model = lesson();
+  model.overlay = Overlay::watching;
+  model.watched.station = 7;
+  model.watched.screen.write(5, 5, "EINGABEMODUS");
+  const Drawn narrow = draw_console(model, kWideColumns - 1);
+  EXPECT_THAT(narrow.screen.text(5), HasSubstr("EINGABEMODUS"));
+  EXPECT_FALSE(narrow.beside);
+  const Drawn wide = draw_console(model, kWideColumns);
+  EXPECT_THAT(wide.screen.text(8), HasSubstr("anna"));
+  ASSERT_TRUE(wide.beside);
+  EXPECT_THAT(wide.beside->text(5), HasSubstr("EINGABEMODUS"));
+  EXPECT_THAT(wide.beside->text(0), HasSubstr("Platz 7"));
+  model.overlay = Overlay::none;
+  EXPECT_FALSE(draw_console(model, kWideColumns).beside);
+}
+
 TEST(ConsoleView, the_question_before_quitting_names_the_seat) {
   ConsoleModel model = lesson();
   model.overlay = Overlay::ask_quit;
-  EXPECT_THAT(draw_console(model).text(21), HasSubstr("Platz 7"));
+  EXPECT_THAT(draw_console(model).screen.text(21), HasSubstr("Platz 7"));
 }
 
 }  // namespace

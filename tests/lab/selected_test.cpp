@@ -89,5 +89,33 @@ TEST_F(Selected, AUTH_008_a_START_of_a_beat_older_than_a_second_does_not_count) 
   EXPECT_NE(row_18().find("START kam zu spät"), std::string::npos) << row_18();
 }
 
+TEST_F(Selected, AUTH_007_when_the_computers_clock_jumps_the_lease_and_the_run_go_on) {
+  log_in(eva_, "eva", kSeat);
+  select();
+  poll();
+  look(eva_);
+  for (const Key key : {Key::START, Key::AUTOMAT, Key::ENTER, Key::ENTER, Key::START}) strike(eva_, key);
+  for (const std::int64_t jump_ms : {86'400'000LL, -2 * 86'400'000LL, 3'600'000LL}) {
+    unix_ms_ += jump_ms;
+    pass_ms(1500);
+    ASSERT_TRUE(desk().on_lab_machine) << "a jump of " << jump_ms << " ms";
+    ASSERT_TRUE(desk().control.is_running()) << "a jump of " << jump_ms << " ms";
+  }
+}
+
+TEST_F(Selected, AUTH_007_a_wall_clock_that_stands_still_keeps_no_lease_alive) {
+  log_in(eva_, "eva", kSeat);
+  select();
+  poll();
+  look(eva_);
+  for (const Key key : {Key::START, Key::AUTOMAT, Key::ENTER, Key::ENTER, Key::START}) strike(eva_, key);
+  for (int silent_ms = 0; silent_ms <= 1100; silent_ms += 10) {
+    advance_ms(10);
+    poll();
+  }
+  while (desk().on_lab_machine) pass_ms(10);
+  EXPECT_FALSE(desk().control.is_running());
+}
+
 }  // namespace
 }  // namespace cnclab::lab

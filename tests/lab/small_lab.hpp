@@ -60,6 +60,7 @@ class SmallLab {
   /// An instructor's request; returns the answer.
   v1::InstructorAnswer ask(Caller& console, v1::InstructorRequest request);
 
+  [[nodiscard]] static const std::string& password_hash();  ///< of `geheim123`
   [[nodiscard]] Lab& lab() { return *lab_; }
   void poll() { lab_->poll(); }
   void advance_ms(std::int64_t milliseconds) { now_ns_ += milliseconds * 1'000'000; }

@@ -1,6 +1,8 @@
 // The format of every word: its range, what stands just outside of it, and parameters in its place.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "language/block_form.hpp"
 #include "language/tape.hpp"
 #include "tape_block.hpp"
@@ -48,6 +50,38 @@ TEST(WordFormat, TakesItsRangeAndNothingBeyond_BLK_005_to_016) {
     };
     for (const std::string_view number : {row.least, row.most}) EXPECT_TRUE(with(number).has_value()) << number;
     for (const std::string_view number : {row.below, row.above}) EXPECT_FALSE(with(number).has_value()) << number;
+  }
+}
+
+TEST(WordFormat, AddressesOfAllForms_BLK_002_BLK_003) {
+  std::string letters;
+  for (const BlockForm& form : all_forms())
+    for (const Address address : form.words)
+      if (letters.find(letter(address)) == std::string::npos) letters += letter(address);
+  std::ranges::sort(letters);
+  EXPECT_EQ(letters, "#=DFHIJKLMNPQRSTUVWXYZ")
+      << "E stands in no block, D in G86 alone (DEC-54); G and N begin a block";
+  for (const BlockForm& form : all_forms()) {
+    const bool has_angle = std::ranges::find(form.words, Address::D) != form.words.end();
+    EXPECT_EQ(has_angle, form.function == (Function{Function::Kind::g, 86}));
+  }
+  for (const std::string_view text :
+       {"N001G01E+1", "N001G01D001", "N001G00A+1", "N001G00O1", "N001G00B+1", "N001G01C1"})
+    EXPECT_FALSE(read_block(text, 1).has_value()) << text;
+}
+
+TEST(WordFormat, CodesHaveTwoDigits_BLK_008) {
+  for (const std::string_view text : {"N001G91", "N001\\53N001", "N001G00X+1"})
+    EXPECT_TRUE(read_block(text, 1).has_value()) << text;
+  for (const std::string_view text : {"N001G1X+1", "N001G091", "N001G100", "N001\\053N001", "N001G", "N001\\"})
+    EXPECT_FALSE(read_block(text, 1).has_value()) << text;
+}
+
+TEST(WordFormat, EveryBlockContainsItsFunction_BLK_203) {
+  for (const std::string_view text : {"N001X+1000", "N001F0500", "N001M03", "N001I+1J+1X+1Y+1"}) {
+    const auto block = read_block(text, 1);
+    ASSERT_FALSE(block.has_value()) << text << ": G00 to G03 are not modal";
+    EXPECT_EQ(block.error().word, 'G') << text;
   }
 }
 

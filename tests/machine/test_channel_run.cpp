@@ -137,6 +137,14 @@ TEST(ChannelRun, EventsDoWhatTheySay) {
   const std::vector<EventRow> rows{
       {"M-003 spindle clockwise", Items().add(Spindle{SpindleTurn::clockwise, 1500}),
        [](const Snapshot& s) { return s.spindle == SpindleTurn::clockwise && s.spindle_rpm == 1500; }},
+      {"M-004 spindle counterclockwise", Items().add(Spindle{SpindleTurn::counterclockwise, 900}),
+       [](const Snapshot& s) { return s.spindle == SpindleTurn::counterclockwise && s.spindle_rpm == 900; }},
+      {"M-005 spindle off", Items().add(Spindle{SpindleTurn::clockwise, 900}).add(Spindle{}),
+       [](const Snapshot& s) { return s.spindle == SpindleTurn::off; }},
+      {"M-009 coolant off", Items().add(Coolant{true}).add(Coolant{false}),
+       [](const Snapshot& s) { return !s.coolant; }},
+      {"M-080 all outputs of card 2 off", Items().add(Output{2, 5, true}).add(Output{2, 0, false}),
+       [](const Snapshot& s) { return s.outputs[1] == 0; }},
       {"M-008 coolant on", Items().add(Coolant{true}), [](const Snapshot& s) { return s.coolant; }},
       {"M-043 output 3 of card 1", Items().add(Output{1, 3, true}),
        [](const Snapshot& s) { return s.outputs[0] == 4; }},
@@ -207,12 +215,14 @@ struct WaitRow {
 };
 
 TEST(ChannelRun, WaitsForInputs) {
-  std::vector<std::pair<int, int>> all;
+  std::vector<std::pair<int, int>> all, all_of_2;
   for (int i = 1; i <= 8; ++i) all.emplace_back(1, i);
+  for (int i = 8; i >= 1; --i) all_of_2.emplace_back(2, i);
   const std::vector<WaitRow> rows{{"M-016 Input 1", {0, 0}, {{0, 0}}},
                                   {"M-063 card 1 line 3", {1, 3}, {{1, 3}}},
                                   {"M-098 card 2 line 8", {2, 8}, {{2, 8}}},
-                                  {"M-060 all of card 1", {1, 0}, all}};
+                                  {"M-060 all of card 1", {1, 0}, all},
+                                  {"M-090 all of card 2", {2, 0}, all_of_2}};
   for (const auto& row : rows) {
     ChannelRig rig;
     Items items;

@@ -29,6 +29,14 @@ TEST(Connectors, M904CardOutputsPullToGroundAndInputsAreHighActive) {
   EXPECT_TRUE(reader.read({.input_1 = false}, {}).input_1) << "HW-022: a line of the SM interface";
 }
 
+TEST(Connectors, FST004SpeedGoesOutDigitByDigitUnitsFirst) {
+  using Digits = std::array<std::uint8_t, 4>;
+  EXPECT_EQ(digits_of_s(1234), (Digits{4, 3, 2, 1}));
+  EXPECT_EQ(digits_of_s(500), (Digits{0, 0, 5, 0}));
+  EXPECT_EQ(digits_of_s(9999), (Digits{9, 9, 9, 9}));
+  EXPECT_EQ(digits_of_s(0), Digits{});
+}
+
 struct PolarityRow {
   const char* name;
   std::int64_t endschalter_pol;

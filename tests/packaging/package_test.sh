@@ -17,8 +17,20 @@ for file in usr/bin/cnclab-server usr/bin/cnclab-station usr/bin/cnclab-instruct
   [ -s "$root/installed/$file" ] || fail "$file is missing in the package"
 done
 
+# The unit: nothing in it that systemd does not know.
+unit=$root/installed/usr/lib/systemd/system/cnclab-server.service
+if command -v systemd-analyze > /dev/null; then
+  # The program stands in this root, not in the system's.
+  mkdir "$root/unit"
+  sed "s|/usr/bin/|$root/installed/usr/bin/|; /^Documentation=/d" "$unit" > "$root/unit/cnclab-server.service"
+  found=$(systemd-analyze verify --man=no "$root/unit/cnclab-server.service" 2>&1 | grep -F cnclab-server || :)
+  [ -z "$found" ] || fail "systemd-analyze verify: $found"
+else
+  echo "no systemd-analyze here: the unit was not verified"
+fi
+
 # The command line of the service, with the paths of this root and any free port.
-command=$(sed -n 's/^ExecStart=//p' "$root/installed/usr/lib/systemd/system/cnclab-server.service")
+command=$(sed -n 's/^ExecStart=//p' "$unit")
 command=$(echo "$command" | sed "s|/usr/bin/|$root/installed/usr/bin/|; s|/etc/cnclab|$root/installed/etc/cnclab|; s|/var/lib/cnclab|$root/data|")
 mkfifo "$root/output"
 # shellcheck disable=SC2086

@@ -60,6 +60,11 @@ void Bench::answer(const Outcome& outcome) {
     control.media_done(reply);
     return answer(control.poll(now));
   }
+  line_news.insert(line_news.end(), outcome.line_news.begin(), outcome.line_news.end());
+  if (outcome.remote_start) {
+    remote_starts.push_back(*outcome.remote_start);
+    answer(control.answer_remote_start(remote_refusal, now));
+  }
   if (!outcome.store) return;  // what does not leave with an outcome is never stored
   ++stores_;
   control.store_done(next_store_error_.value_or(""));

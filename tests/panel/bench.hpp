@@ -62,6 +62,9 @@ class Bench {
   Now now{0, {11, 39, 58, 2, 3, 82}};
   SideView side;
   std::map<std::string, std::string> media;  ///< the files at the station
+  std::vector<RemoteStart> remote_starts;    ///< that the control has asked about
+  std::string remote_refusal;                ///< the answer to them; empty: allowed
+  std::vector<std::string> line_news;
 
  private:
   void answer(const Outcome& outcome);

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include "item_names.hpp"
+#include "program/path_source.hpp"
 #include "program/rebuild_modal.hpp"
 
 namespace cnclab::program {
@@ -114,6 +115,41 @@ TEST(CompensationPosition, IsTheProgrammedOne_COMP020) {
   ASSERT_FALSE(run.error);
   EXPECT_EQ(run.blocks.back().programmed_um, (std::array<std::int64_t, 3>{3000, 20'000, 0}));
   EXPECT_EQ(all_of<Line>(run).back().to, (Point{3, 20, 0}));
+}
+
+/// The path of the tool's centre of a program's ways.
+std::string path_of(std::string_view text) {
+  auto source = PathSource::begin(programs_of(std::string(kTools) + std::string(text)), wide_settings(), {});
+  if (!source) return "no source";
+  RunResult run;
+  while (!source->ended())
+    if (!source->step(run.items)) return "fault";
+  std::string path;
+  for (const geometry::PathItem& item : run.items) {
+    if (!std::holds_alternative<Line>(item.what) && !std::holds_alternative<geometry::Arc>(item.what)) continue;
+    geometry::PathItem way = item;
+    way.source = {};  // the blocks have other numbers
+    geometry::append_json(path, way);
+  }
+  return path;
+}
+
+TEST(CompensationPath, DoesNotDependOnHowItsDimensionsAreGiven_COMP008_G911) {
+  for (const std::string side : {"G41", "G42", "G43", "G44"}) {
+    const std::string head = "P0001N001G11T01F0500N002" + side;
+    const std::string chained = path_of(head +
+                                        "N003G01X+20000N004G01X+30000N006G01Y+30000N008G01X-30000N009G40"
+                                        "N010G01X-20000%");
+    EXPECT_NE(chained, "fault") << side;
+    EXPECT_EQ(path_of(head + "N003G01X+20000N004G01X+30000N005G90N006G01Y+30000N007G91N008G01X-30000N009G40"
+                             "N010G01X-20000%"),
+              chained)
+        << side;
+    EXPECT_EQ(path_of(head + "N003G90N004G01X+20000N005G01X+50000N006G91N007G01Y+30000N008G90N009G01X+20000N010G40"
+                             "N011G01X+0%"),
+              chained)
+        << side;
+  }
 }
 
 TEST(CompensationStart, SollwertIsIstwertWithoutWhatIsLeft_D75) {

@@ -78,6 +78,48 @@ TEST(Motion, DEC04EqualEndPointIsAFullCircle) {
   EXPECT_NEAR(geometry::length_of(arcs[0]), 40 * M_PI, 1e-9);
 }
 
+/// Axes without a word stand still, whatever place they stand at.
+TEST(Motion, LinesRunInOneTwoOrThreeAxes_SYS002_G000_G010) {
+  struct Row {
+    const char* words;
+    Point to;
+  };
+  const Row rows[] = {{"X+10000", {11, 2, 3}},
+                      {"Y-20000", {1, -18, 3}},
+                      {"Z+30000", {1, 2, 33}},
+                      {"X+10000Y-20000", {11, -18, 3}},
+                      {"X+10000Z+30000", {11, 2, 33}},
+                      {"Y-20000Z+30000", {1, -18, 33}},
+                      {"X+10000Y-20000Z+30000", {11, -18, 33}}};
+  for (const Row& row : rows) {
+    for (const char* function : {"G00", "G01", "G61"}) {
+      const RunResult run =
+          run_text(std::string("P0001N001G11F0400N002") + function + row.words + "%", 9, {.position = {1, 2, 3}});
+      ASSERT_FALSE(run.error) << row.words;
+      const auto lines = all_of<Line>(run);
+      ASSERT_EQ(lines.size(), 1u) << row.words << ": all axes move together";
+      EXPECT_EQ(lines[0].from, (Point{1, 2, 3})) << row.words;
+      EXPECT_EQ(lines[0].to, row.to) << row.words;
+      EXPECT_EQ(lines[0].feed_mm_per_min, function == std::string("G00") ? 3000 : 400) << "G-011, FST-001";
+    }
+  }
+}
+
+TEST(Motion, WordsOfALineStayModal_G012_FST013) {
+  const RunResult run = run_text(
+      "P0000T007R+1000L+0\nP0001N001G01X+1000F0400S0600T07M03N002G01X+1000N003G02X+1000Y+0I+500J+0N004G00Y+1%");
+  ASSERT_FALSE(run.error);
+  for (const ExecutedBlock& block : run.blocks) {
+    EXPECT_EQ(block.modal.feed_mm_per_min, 400);
+    EXPECT_EQ(block.modal.spindle_rpm, 600);
+    EXPECT_EQ(block.modal.tool, 7);
+    EXPECT_EQ(block.modal.m, 3);
+    EXPECT_EQ(block.modal.spindle, geometry::SpindleTurn::clockwise);
+  }
+  EXPECT_EQ(all_of<Line>(run).at(1).feed_mm_per_min, 400);
+  EXPECT_EQ(all_of<Arc>(run).at(0).feed_mm_per_min, 400) << "G-023";
+}
+
 TEST(Motion, EX030FeedIsThatOfThePath) {
   const RunResult run = run_text("P0001N001G01X+100000Y+100000F1000%");
   EXPECT_NEAR(path_mm(run), 141.421356, 1e-6);
@@ -133,26 +175,39 @@ TEST(Motion, G90EndPointsAreAbsoluteAndCentresStayRelative_G021_G022) {
   EXPECT_EQ(arcs[0].center.y, 10);
 }
 
-TEST(Motion, ArcsInAllPlanesTakeTheirOwnWords_BLK102) {
+/// Seen against the third axis (D-128): clockwise over (5, 5) of the first two axes in XY and YZ, under it in XZ.
+TEST(Motion, ArcsInAllPlanesTakeTheirOwnWords_BLK102_SYS003_G020_G030) {
   struct Row {
     const char* name;
     const char* text;
     Point to;
     geometry::Plane plane;
+    geometry::Turn turn;
+    Point middle;
   };
+  constexpr auto cw = geometry::Turn::clockwise;
+  constexpr auto ccw = geometry::Turn::counterclockwise;
   const Row rows[] = {
-      {"G17", "P0001N001G11F1000N002G17N003G02X+10000Y+0I+5000J+0%", {10, 0, 0}, geometry::Plane::xy},
-      {"G18", "P0001N001G11F1000N002G18N003G02X+10000Z+0I+5000K+0%", {10, 0, 0}, geometry::Plane::xz},
-      {"G19", "P0001N001G11F1000N002G19N003G02Y+10000Z+0J+5000K+0%", {0, 10, 0}, geometry::Plane::yz},
+      {"G02 G17", "N002G17N003G02X+10000Y+0I+5000J+0%", {10, 0, 0}, geometry::Plane::xy, cw, {5, 5, 0}},
+      {"G02 G18", "N002G18N003G02X+10000Z+0I+5000K+0%", {10, 0, 0}, geometry::Plane::xz, cw, {5, 0, -5}},
+      {"G02 G19", "N002G19N003G02Y+10000Z+0J+5000K+0%", {0, 10, 0}, geometry::Plane::yz, cw, {0, 5, 5}},
+      {"G03 G17", "N002G17N003G03X+10000Y+0I+5000J+0%", {10, 0, 0}, geometry::Plane::xy, ccw, {5, -5, 0}},
+      {"G03 G18", "N002G18N003G03X+10000Z+0I+5000K+0%", {10, 0, 0}, geometry::Plane::xz, ccw, {5, 0, 5}},
+      {"G03 G19", "N002G19N003G03Y+10000Z+0J+5000K+0%", {0, 10, 0}, geometry::Plane::yz, ccw, {0, 5, -5}},
   };
   for (const Row& row : rows) {
-    const RunResult run = run_text(row.text);
+    const RunResult run = run_text(std::string("P0001N001G11F1000") + row.text);
     ASSERT_FALSE(run.error) << row.name;
     const auto arcs = all_of<Arc>(run);
     ASSERT_EQ(arcs.size(), 1u) << row.name;
     EXPECT_EQ(arcs[0].to, row.to) << row.name;
     EXPECT_EQ(arcs[0].plane, row.plane) << row.name;
+    EXPECT_EQ(arcs[0].turn, row.turn) << row.name;
+    EXPECT_EQ(arcs[0].feed_mm_per_min, 1000) << row.name;
     EXPECT_NEAR(geometry::length_of(arcs[0]), 5 * M_PI, 1e-9) << row.name;
+    const Point middle = geometry::point_at(arcs[0], geometry::shape_of(arcs[0]), 2.5 * M_PI);
+    EXPECT_NEAR(std::hypot(middle.x - row.middle.x, middle.y - row.middle.y, middle.z - row.middle.z), 0, 1e-9)
+        << row.name;
   }
 }
 
@@ -178,6 +233,34 @@ TEST(Motion, G12MovesTheFourthAxisAloneIncrementallyAndUnscaled_G120) {
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[1].to, (Point{0, 0, 0, 3}));
   EXPECT_EQ(lines[1].feed_mm_per_min, 600);
+}
+
+/// Of nothing that is modal but the feed: not of G90, the plane, compensation or length.
+TEST(Motion, G12DisregardsEveryModalFunction_G120_G121_G122) {
+  struct Row {
+    const char* name;
+    const char* before;
+  };
+  const Row rows[] = {{"G90", "N002G90"},
+                      {"G18", "N002G18"},
+                      {"G19 and G90", "N002G19N003G90"},
+                      {"G41", "N002G41"},
+                      {"G44 and G46", "N002G44N003G46"},
+                      {"G75", "N002G75X-2000Y-2000Z-2000"}};
+  for (const Row& row : rows) {
+    const RunResult run = run_text(std::string("P0000T001R+5000L+1000\nP0001N001G11F0600T01") + row.before +
+                                       "N010G12U+1500N011G12U-4000N012G11F0200N013G12U+1000%",
+                                   20, {.position = {1, 2, 3, 10}});
+    ASSERT_FALSE(run.error) << row.name;
+    const auto lines = all_of<Line>(run);
+    ASSERT_EQ(lines.size(), 3u) << row.name;
+    EXPECT_EQ(lines[0].to, (Point{1, 2, 3, 11.5})) << row.name;
+    EXPECT_EQ(lines[1].to, (Point{1, 2, 3, 7.5})) << row.name;
+    EXPECT_EQ(lines[2].to, (Point{1, 2, 3, 8.5})) << row.name;
+    EXPECT_EQ(lines[1].feed_mm_per_min, 600) << row.name;
+    EXPECT_EQ(lines[2].feed_mm_per_min, 200) << row.name;
+    EXPECT_EQ(run.blocks.back().programmed_um, (std::array<std::int64_t, 3>{1000, 2000, 3000})) << row.name;
+  }
 }
 
 TEST(Motion, AnyStartPositionIsKeptToTheLastDigit) {

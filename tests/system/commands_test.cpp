@@ -98,6 +98,34 @@ TEST_F(Commands, STO_005_an_older_version_becomes_the_newest_also_of_a_program_t
   EXPECT_EQ(ask({"program", "restore", "anna", "P0001", "9"}).exit_code, 1);
 }
 
+TEST_F(Commands, STO_005_the_tool_table_has_versions_like_a_program) {
+  room_.add_student("anna", {"P0000\nT001R+5000L+1000\n"});
+  must({"program", "send", file("second", "P0000\nT001R+6000L+1000\n"), "anna", "--replace"});
+  must({"program", "restore", "anna", "P0000", "1"});
+  EXPECT_THAT(must({"program", "show", "anna", "P0000"}).output, HasSubstr("R+5000"));
+  EXPECT_EQ(must({"program", "versions", "anna", "P0000"}).objects.size(), 3U);
+}
+
+TEST_F(Commands, STO_005_machine_data_have_versions_and_come_back) {
+  room_.add_student("anna");
+  StationProcess anna = room_.seat(1, "anna");
+  anna.expect_ok("hold 50 ENTER+RESET");
+  anna.wait_for("MASCHINENDATEN");
+  for (int i = 0; i < 5; ++i) anna.key("ENTER");
+  anna.type("1500");
+  anna.key("ENTER");
+  ASSERT_TRUE(eventually(5s, [&] { return must({"program", "versions", "anna", "MD"}).objects.size() == 1; }))
+      << anna.text();
+  EXPECT_THAT(must({"program", "show", "anna", "MD"}).output, HasSubstr("06 = 1500"));
+  must({"program", "restore", "anna", "MD", "0"});
+  EXPECT_THAT(must({"program", "show", "anna", "MD"}).output, HasSubstr("06 = 3000"));
+  anna.key("RESET");
+  anna.expect_ok("hold 50 ENTER+RESET");
+  for (int i = 0; i < 5; ++i) anna.key("ENTER");
+  anna.wait_for("3000");
+  EXPECT_EQ(ask({"program", "restore", "anna", "MD", "9"}).exit_code, 1);
+}
+
 TEST_F(Commands, DEC_29_the_machines_tools_and_workpiece_are_kept_over_a_restart) {
   must({"tools", file("tools", "P0000\nT001R+5000L+100000\n")});
   must({"workpiece", "100", "60.5", "20"});

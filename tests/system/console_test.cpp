@@ -14,13 +14,13 @@ class ConsoleInTerminal : public testing::Test {
  protected:
   ConsoleInTerminal() { room_.add_student("anna"); }
 
-  Terminal console(const std::string& server, const std::filesystem::path& password_file) {
+  Terminal console(const std::string& server, const std::filesystem::path& password_file, int columns = 80) {
     return Terminal({.program = programs_folder() / "cnclab-instructor",
                      .arguments = {"--server", server, "--user", "lehrer", "--password-file", password_file.string(),
                                    "--fingerprint", room_.server().fingerprint()},
                      .environment = {},
                      .rows = 24,
-                     .columns = 80});
+                     .columns = columns});
   }
   Terminal console() { return console(room_.server().address(), room_.passwords().file_of("lehrer")); }
   /// Screen row of a seat.
@@ -61,6 +61,31 @@ TEST_F(ConsoleInTerminal, INS_002_a_station_is_watched_typed_at_locked_and_shown
   anna.wait_gone("gesperrt");
   terminal.type("mGuten Morgen\r");
   anna.wait_for("lehrer: Guten Morgen");
+}
+
+TEST_F(ConsoleInTerminal, INS_001_last_key_and_errors_stand_beside_the_name) {
+  StationProcess anna = room_.seat(7, "anna");
+  Terminal terminal = console();
+  terminal.wait_for("anna");
+  anna.key("EINGABE ENTER ENTER ENTER EINGABE");  // an incomplete block
+  terminal.wait_for("EINGABE ");
+  EXPECT_TRUE(eventually(kLimit, [&] {
+    terminal.update();
+    return terminal.row(row_of(7)).find("  1") != std::string::npos;
+  })) << terminal.row(row_of(7));
+}
+
+TEST_F(ConsoleInTerminal, INS_002_in_a_wide_terminal_the_watched_screen_stands_beside_the_seats) {
+  StationProcess anna = room_.seat(7, "anna");
+  constexpr int kWide = 161;
+  Terminal terminal = console(room_.server().address(), room_.passwords().file_of("lehrer"), kWide);
+  terminal.wait_for("anna");
+  terminal.type("7w");
+  terminal.wait_for("jede andere Taste");
+  anna.key("EINGABE");
+  terminal.wait_for("EINGABEMODUS");
+  EXPECT_THAT(terminal.text(), testing::HasSubstr("LEHRERKONSOLE"));
+  EXPECT_THAT(terminal.text(), testing::HasSubstr("CNC 3300"));
 }
 
 TEST_F(ConsoleInTerminal, INS_005_every_command_can_be_typed_and_its_answer_read) {

@@ -41,6 +41,8 @@ class StationProcess {
   void key(const std::string& names) { expect_ok("key " + names); }
   /// As `key`, without waiting for the reply: what came of it shows only elsewhere (a server that is killed now).
   void press(const std::string& names);
+  /// The reply that `press` did not wait for; nothing when it has not come within the limit.
+  [[nodiscard]] std::optional<std::string> reply(Milliseconds limit) { return process_.read_line(Deadline(limit)); }
   void type(const std::string& text) { expect_ok("type " + text); }
 
   /// The screen now; throws when the station answers otherwise (offline).

@@ -1,0 +1,174 @@
+// The three loads of LOAD-001 with a console that mirrors every station (LOAD-004): how long a key takes to its screen,
+// what the server costs, how late the ticks are, how old the mirror's tiles get.
+//
+//   bench_load [SECONDS]   per load, default 20; LOAD-003 wants 600 in all: bench_load 200
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+#include "figure.hpp"
+#include "harness/classroom.hpp"
+#include "process_figures.hpp"
+#include "typist.hpp"
+
+namespace cnclab::bench {
+namespace {
+
+/// When each station pressed the key that its mirror has not shown yet, in ns; 0: none.
+using Pressed = std::array<std::atomic<std::int64_t>, kStations + 1>;
+
+std::int64_t now_ns() { return Clock::now().time_since_epoch().count(); }
+
+/// A console's view of one station: its screens as they come. A tile's age is counted from the key on, so that what the
+/// server needs is part of it.
+class Tile {
+ public:
+  Tile(std::uint16_t port, int station) : line_(port), station_(station) {}
+
+  bool open(const std::string& password) {
+    v1::ClientMessage hello, login, watch;
+    hello.mutable_hello()->set_version(kProtocolVersion);
+    hello.mutable_hello()->set_kind(v1::CLIENT_KIND_INSTRUCTOR);
+    line_.send(hello);
+    login.mutable_login()->set_user("lehrer");
+    login.mutable_login()->set_password(password);
+    line_.send(login);
+    for (auto message = line_.read(10s); message; message = line_.read(10s)) {
+      if (!message->has_login()) continue;
+      watch.mutable_request()->set_number(1);
+      watch.mutable_request()->mutable_watch()->set_station(static_cast<std::uint32_t>(station_));
+      line_.send(watch);
+      return message->login().result() == v1::LOGIN_RESULT_OK;
+    }
+    return false;
+  }
+
+  void follow(Pressed& pressed, const std::atomic<bool>& is_over) {
+    const std::uint64_t before = line_.received_bytes();
+    while (!is_over) {
+      const auto message = line_.read(100ms);
+      if (!message) continue;
+      v1::ClientMessage answer;
+      if (message->has_beat()) {
+        answer.mutable_alive()->set_beat(message->beat().number());
+      } else if (message->has_screen()) {
+        answer.mutable_screen_ack()->set_number(message->screen().number());
+        if (const auto at = pressed[static_cast<std::size_t>(station_)].exchange(0))
+          ages_ms.push_back(static_cast<double>(now_ns() - at) / 1e6);
+      } else {
+        continue;
+      }
+      line_.send(answer);
+    }
+    bytes = line_.received_bytes() - before;
+  }
+
+  Times ages_ms;
+  std::uint64_t bytes = 0;
+
+ private:
+  Line line_;
+  int station_;
+};
+
+struct Load {
+  const char* name;
+  int typing;  ///< the others run their programs and turn the potentiometer
+};
+
+/// What all stations and tiles measured.
+struct Measured {
+  Times keys_us, ages_ms;
+  std::uint64_t mirrored_bytes = 0;
+};
+
+/// One student: ten keys a second until the end.
+Times work(Typist& typist, int station, bool types, Clock::time_point end, Pressed& pressed) {
+  for (const Key key : {Key::MENU, types ? Key::EINGABE : Key::AUTOMAT, Key::ENTER, Key::ENTER}) typist.press(key);
+  if (!types) typist.press(Key::START);
+  Times times;
+  auto next = Clock::now() + station * kBetweenKeys / kStations;
+  for (std::uint32_t i = 0; next < end; ++i, next += kBetweenKeys) {
+    typist.idle_until(next);
+    pressed[static_cast<std::size_t>(station)] = now_ns();
+    times.push_back(types ? typist.press(i % 5 == 4 ? Key::CLEAR : Key::D1) : typist.turn(60 + i % 40));
+  }
+  typist.press(types ? Key::MENU : Key::STOP);
+  return times;
+}
+
+Measured measure(harness::Classroom& room, const Load& load, std::chrono::seconds time) {
+  Measured all;
+  std::mutex mutex;
+  Pressed pressed{};
+  std::atomic<bool> is_over = false;
+  const auto end = Clock::now() + time;
+  const auto port = room.server().port();
+  std::vector<std::jthread> tiles, students;
+  for (int station = 1; station <= kStations; ++station) {
+    students.emplace_back([&, station, password = room.passwords().password_of(student_name(station))] {
+      Typist typist(port, station);
+      if (!typist.log_in(student_name(station), password)) throw std::runtime_error("no log-in");
+      const Times mine = work(typist, station, station <= load.typing, end, pressed);
+      const std::lock_guard lock(mutex);
+      all.keys_us.insert(all.keys_us.end(), mine.begin(), mine.end());
+    });
+    tiles.emplace_back([&, station, password = room.passwords().password_of("lehrer")] {
+      Tile tile(port, station);
+      if (!tile.open(password)) throw std::runtime_error("the console did not get in");
+      tile.follow(pressed, is_over);
+      const std::lock_guard lock(mutex);
+      all.ages_ms.insert(all.ages_ms.end(), tile.ages_ms.begin(), tile.ages_ms.end());
+      all.mirrored_bytes += tile.bytes;
+    });
+  }
+  students.clear();
+  is_over = true;
+  tiles.clear();
+  return all;
+}
+
+void run(harness::Classroom& room, const Load& load, std::chrono::seconds time) {
+  const pid_t server = room.server().pid();
+  const double cpu_before = cpu_seconds(server);
+  const double late_before = room.instructor().status()["ticks"]["late"];
+  const auto start = Clock::now();
+  Measured measured = measure(room, load, time);
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const auto ticks = room.instructor().status()["ticks"];
+  const auto figure = [&](const char* what, double value, const char* unit) {
+    print_figure(fmt::format("load_{}_{}", load.name, what), value, unit);
+  };
+  figure("key_to_screen_us_p50", percentile(measured.keys_us, 0.50), "us");
+  figure("key_to_screen_us_p99", percentile(measured.keys_us, 0.99), "us");
+  figure("server_cpu_percent", 100 * (cpu_seconds(server) - cpu_before) / seconds, "%");
+  figure("server_rss_mib", rss_mib(server), "MiB");
+  figure("late_ticks", ticks["late"].get<double>() - late_before, "1");
+  figure("longest_tick_delay_ms", ticks["longest_ms"], "ms");
+  constexpr double kBitsPerByte = 8, kKilo = 1000;
+  figure("mirror_kbit_per_s", static_cast<double>(measured.mirrored_bytes) * kBitsPerByte / seconds / kKilo, "kbit/s");
+  figure("mirror_tile_age_ms_p95", percentile(measured.ages_ms, 0.95), "ms");
+}
+
+}  // namespace
+}  // namespace cnclab::bench
+
+int main(int argc, char** argv) try {
+  using namespace cnclab;
+  constexpr int kSeconds = 20;
+  const std::chrono::seconds time(argc > 1 ? std::max(1, std::atoi(argv[1])) : kSeconds);
+  harness::Classroom room;
+  const std::string endless = "P0001N001G11F2000N002G01X+20000Y+10000N003G01X-20000Y-10000N004G20P0001N002%";
+  for (int i = 1; i <= bench::kStations; ++i) room.add_student(bench::student_name(i), {endless});
+  auto floor = bench::ping_pong();
+  bench::print_percentiles("tcp_tls_pingpong_us", floor, "us");
+  for (const bench::Load& load : {bench::Load{"typing", 15}, {"running", 0}, {"mixed", 8}})
+    bench::run(room, load, time);
+  return 0;
+} catch (const std::exception& error) {
+  fmt::print(stderr, "bench_load: {}\n", error.what());
+  return 1;
+}
