@@ -122,6 +122,7 @@ struct Control::Impl {
 
   void hand_out_media(Outcome& outcome) {
     if (!state.media || state.is_media_pending) return;
+    media_answer.reset();  // to a request that was broken off
     outcome.media = std::exchange(state.media, std::nullopt);
     state.is_media_pending = true;
   }
@@ -131,6 +132,13 @@ struct Control::Impl {
     outcome.line_news = std::exchange(port.news, {});
     outcome.is_from_line = port.is_storing;
     if (port.asked && !std::exchange(port.has_handed_out_start, true)) outcome.remote_start = port.asked;
+  }
+
+  /// In `poll`, since what was read is a request to store it, which leaves with an outcome.
+  void take_media_answer() {
+    const auto answer = std::exchange(media_answer, std::nullopt);
+    auto* external = std::get_if<ExternalDataMode>(&active);
+    if (answer && external != nullptr) media_answered(*external, state, *answer);
   }
 
   [[nodiscard]] transfer::Time time() const {
@@ -143,6 +151,7 @@ struct Control::Impl {
   ControlState state;
   ActiveMode active = MenuMode{};
   std::uint64_t signals_heard = 0;
+  std::optional<std::expected<std::string, std::string>> media_answer;  ///< to be taken in
   std::optional<std::array<double, 3>> kept_istwert_mm;
 };
 
@@ -281,6 +290,7 @@ Outcome Control::poll(const Now& now) {
   const bool was_storing = state.storing.has_value();
   if (state.recorder && !std::holds_alternative<ExternalDataMode>(impl_->active))
     static_cast<void>(state.recorder->advance(impl_->time()));  // winding goes on in every mode
+  impl_->take_media_answer();
   follow(impl_->active, state);
   impl_->obey_mode(outcome);
   follow_line(impl_->active, state);
@@ -305,8 +315,7 @@ void Control::order_picture() {
 void Control::media_done(const std::expected<std::string, std::string>& answer) {
   ControlState& state = impl_->state;
   if (!std::exchange(state.is_media_pending, false)) return;
-  if (std::exchange(state.is_media_stale, false)) return;
-  if (auto* external = std::get_if<ExternalDataMode>(&impl_->active)) media_answered(*external, state, answer);
+  if (!std::exchange(state.is_media_stale, false)) impl_->media_answer = answer;
 }
 
 void Control::insert_cassette(transfer::Cassette cassette, const Now& now) {

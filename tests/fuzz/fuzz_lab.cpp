@@ -10,6 +10,7 @@
 #include <cstdlib>
 
 #include "../lab/small_lab.hpp"
+#include "random_message.hpp"
 
 namespace lab = cnclab::lab;
 namespace db = cnclab::db;
@@ -66,7 +67,7 @@ class Playground {
     const auto who = input.ConsumeIntegralInRange<std::size_t>(0, kRoles.size() - 1);
     lab::Caller& caller = callers_[who];
     v1::ClientMessage message;
-    switch (input.ConsumeIntegralInRange<int>(0, 7)) {
+    switch (input.ConsumeIntegralInRange<int>(0, 9)) {
       case 0:
         if (message.ParseFromString(input.ConsumeRandomLengthString(400))) room_.lab().receive(caller.visit, message);
         break;
@@ -92,6 +93,15 @@ class Playground {
         room_.with_database([](db::Database&) {});  // what was asked of the store is answered
         break;
       case 7:
+        cnclab::fill(message, input);
+        if (message.has_key()) message.mutable_key()->set_number(++caller.number);  // else it ends the connection
+        room_.lab().receive(caller.visit, message);
+        break;
+      case 8:
+        cnclab::fill(*message.mutable_request(), input);
+        room_.lab().receive(caller.visit, message);
+        break;
+      case 9:
         leave(caller);
         room_.poll();
         enter(who);

@@ -11,7 +11,7 @@ namespace machine = cnclab::machine;
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto read = machine::read_machine_data({reinterpret_cast<const char*>(data), size});
   if (!read) {
-    if (read.error().empty()) std::abort();
+    if (read.error().reason.empty()) std::abort();
     return 0;
   }
   std::string text;

@@ -392,7 +392,7 @@ TEST_F(Release, StartReleasesTheProgramShownFromItsFirstBlock) {
   EXPECT_EQ(armed->block, 1);
   EXPECT_EQ(armed->lease, machine::Epoch{1});
   EXPECT_EQ(armed->at_ns, bench.now.monotonic_ns);
-  EXPECT_EQ(bench.monitor(13), "REMOTE  FREIGABE P0001 N001");
+  EXPECT_EQ(bench.monitor(13), "REMOTE  FERNSTART P0001 N001");
   EXPECT_THAT(bench.row(18), HasSubstr("P0001 N001 einmal starten, noch 60 s"));
   EXPECT_THAT(bench.line_news, ElementsAre("released P0001 N001"));
 }
