@@ -1,5 +1,6 @@
 // Who sees what: screens are drawn when something changed, at most 20 times a second while axes move.
 #include <algorithm>
+#include <utility>
 
 #include "cnclab/v1/envelope.pb.h"
 #include "lab/lab.hpp"
@@ -27,7 +28,9 @@ void Lab::draw_due(std::int64_t now_ns) {
   const bool clock_moved = second != drawn_second_;
   drawn_second_ = second;
   for (const auto& [id, desk] : desks_) {
-    const bool moving = desk->control.is_running() && now_ns - desk->last_drawn_ns >= kRefresh_ns;
+    const bool is_busy = desk->control.is_busy();
+    if (std::exchange(desk->was_busy, is_busy) && !is_busy) desk->is_dirty = true;  // the end shows at once
+    const bool moving = is_busy && now_ns - desk->last_drawn_ns >= kRefresh_ns;
     if (desk->notice_until_ns != 0 && now_ns >= desk->notice_until_ns) note(*desk, "");
     // The end of a run shows at once, and with it the state number that the next START is valid for (AUTH-008).
     const bool was_started = desk->situation.started;

@@ -320,6 +320,12 @@ std::shared_ptr<const RunOrder> Control::run_order() const { return impl_->state
 
 bool Control::is_running() const { return is_start_state(impl_->place()); }
 
+bool Control::is_busy() const {
+  const auto* graphics = std::get_if<GraphicsMode>(&impl_->active);
+  const bool plays = graphics != nullptr && (graphics->is_playing || (graphics->test && graphics->test->is_busy()));
+  return plays || is_running() || recorder_runs() || impl_->place() == Place::external_transfer;
+}
+
 int Control::take_beeps() {
   const std::uint64_t signals = impl_->state.machine().signals;
   const int heard = static_cast<int>(std::min<std::uint64_t>(signals - std::min(signals, impl_->signals_heard), 100));
