@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "station/cell_text.hpp"
 #include "station/overlays.hpp"
@@ -195,12 +197,25 @@ void Monitor::act(const Binding& binding, bool repeated) {
 }
 
 void Monitor::press(const Press& press, bool repeated) {
+  if (press.keys == std::vector{Key::ENTER} && shows_external_data(session_.screen())) return press_latched(repeated);
   if (!session_.send_keys(press.keys, true, repeated)) return;
   if (press.hold == 0ms) {
     session_.send_keys(press.keys, false, repeated);
   } else {
     releases_.push_back({Clock::now() + press.hold, press.keys});
   }
+}
+
+// The recorder's motor runs its leader while → is down; a terminal knows no release. So the key stays down until it is
+// pressed again or the screen is another one (interfaces.md 3).
+void Monitor::press_latched(bool repeated) {
+  if (repeated) return;
+  let_go();
+  is_enter_held_ = session_.send_keys(std::array{Key::ENTER}, true).has_value();
+}
+
+void Monitor::let_go() {
+  if (std::exchange(is_enter_held_, false)) session_.send_keys(std::array{Key::ENTER}, false);
 }
 
 // From where the control says it stands, or from our own last turn that it has not shown yet.
@@ -215,7 +230,9 @@ void Monitor::release_due() {
   if (!session_.is_online()) {
     releases_.clear();  // the server releases what a lost station held
     turned_.reset();
+    is_enter_held_ = false;
   }
+  if (is_enter_held_ && !shows_external_data(session_.screen())) let_go();
   const auto now = Clock::now();
   std::erase_if(releases_, [&](const Release& release) {
     if (release.due > now) return false;

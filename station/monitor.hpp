@@ -40,6 +40,8 @@ class Monitor {
   void click(const Click& click);
   void act(const Binding& binding, bool is_repeat);
   void press(const Press& press, bool is_repeat);
+  void press_latched(bool is_repeat);
+  void let_go();
   void press_urgent(const Input& input);
   void turn(int percent);
   bool is_repeat(const Input& input);
@@ -58,6 +60,7 @@ class Monitor {
   std::size_t help_start_ = 0;
   PasswordForm password_;
   std::vector<Release> releases_;
+  bool is_enter_held_ = false;  ///< → in EXTERNE DATEN, from one press to the next
   const Binding* lit_ = nullptr;
   Clock::time_point lit_until_{}, next_tone_{}, last_input_time_{};
   std::optional<Input> last_input_;

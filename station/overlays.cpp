@@ -90,4 +90,10 @@ std::optional<int> shown_potentiometer(const Screen& screen) {
   return std::nullopt;
 }
 
+bool shows_external_data(const Screen& screen) {
+  constexpr int kTitleRow = 2;
+  const std::string title = screen.text(kTitleRow);
+  return title.starts_with("│EXTERNE DATEN") || title.starts_with("│EXTERNAL DATA");
+}
+
 }  // namespace cnclab::station

@@ -26,4 +26,7 @@ namespace cnclab::station {
 /// The potentiometer's position as row 8 of the side column shows it (DEC-01), 0..100.
 [[nodiscard]] std::optional<int> shown_potentiometer(const Screen& screen);
 
+/// EXTERNE DATEN is on the screen (its title in the monitor's second row).
+[[nodiscard]] bool shows_external_data(const Screen& screen);
+
 }  // namespace cnclab::station

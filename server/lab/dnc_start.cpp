@@ -49,13 +49,13 @@ Refusal text_of(R refusal) {
     case R::halted:
       return {"Fernstart abgelehnt: MASCHINE HALT ist gedrückt.", "Remote start refused: MASCHINE HALT is pressed."};
     case R::not_released:
-      return {"Fernstart abgelehnt: erst auf diesem Platz in EXTERNE DATEN mit START freigeben.",
+      return {"Fernstart abgelehnt: erst auf diesem Platz in EXTERNE DATEN mit START erlauben.",
               "Remote start refused: first release it with START in EXTERNE DATEN at this seat."};
     case R::released_otherwise:
-      return {"Fernstart abgelehnt: freigegeben ist ein anderes Programm oder ein anderer Satz.",
+      return {"Fernstart abgelehnt: erlaubt ist ein anderes Programm oder ein anderer Satz.",
               "Remote start refused: another program or block is released."};
     case R::release_over:
-      return {"Fernstart abgelehnt: die Freigabe ist abgelaufen.", "Remote start refused: the release is over."};
+      return {"Fernstart abgelehnt: die Erlaubnis ist abgelaufen.", "Remote start refused: the release is over."};
   }
   return {};
 }

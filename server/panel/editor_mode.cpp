@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "panel/line_keys.hpp"
 #include "program/rom_programs.hpp"
 
 namespace cnclab::panel {
@@ -130,13 +131,8 @@ void press_down(EditorMode& mode, ControlState& state) {
 }
 
 void press_line(EditorMode& mode, ControlState& state, Effect effect, int figure) {
+  if (key_into(mode.line, effect, figure)) return;
   switch (effect) {
-    case Effect::digit:
-      return mode.line.digit(figure);
-    case Effect::point:
-      return mode.line.point();
-    case Effect::sign:
-      return mode.line.sign();
     case Effect::clear:
       return mode.line.clear();
     case Effect::enter:

@@ -62,7 +62,7 @@ void draw_prompt(const ExternalDataMode& mode, const ControlState& state, Monito
 
 /// What binds a connection to this seat (interfaces.md section 8), and under REMOTE the release of a remote start.
 void draw_line(const ExternalDataMode& mode, const ControlState& state, Monitor& monitor) {
-  constexpr int kNumberColumn = 17, kBlockColumn = 23;
+  constexpr int kNumberColumn = 18, kBlockColumn = 24;
   const SerialPort& port = state.port;
   if (!port.fitting.is_fitted) return;
   monitor.write(kLineRow, 0, text(Text::line, state.tongue(), {port.is_connected ? "●" : "○", port.fitting.binding}));

@@ -1,6 +1,7 @@
 // Keys and screen of HANDEINGABE (Bild 3).
 #include "panel/hand_input_mode.hpp"
 
+#include "panel/line_keys.hpp"
 #include "panel/motion_screen.hpp"
 #include "panel/run_end.hpp"
 
@@ -72,13 +73,8 @@ Place place_of(const HandInputMode& mode, const ControlState& state) {
 
 void press(HandInputMode& mode, ControlState& state, Effect effect, int figure) {
   mode.is_done = false;
+  if (key_into(mode.line, effect, figure)) return;
   switch (effect) {
-    case Effect::digit:
-      return mode.line.digit(figure);
-    case Effect::point:
-      return mode.line.point();
-    case Effect::sign:
-      return mode.line.sign();
     case Effect::clear:
       return press_clear(mode);
     case Effect::enter:

@@ -16,7 +16,6 @@ using Json = nlohmann::json;
 
 constexpr int kLargestFeed = 9999, kLargestCode = 99;
 constexpr std::int64_t kLargestFactor = 9'999'999;
-constexpr std::int64_t kLargestParameter = 9'999'999'999;        // ±9999.999999 (DEC-52)
 constexpr std::int64_t kLargestOffset_s = 200LL * 366 * 86'400;  // two centuries
 constexpr double kLargestIstwert_mm = 9999.999;
 
@@ -73,7 +72,7 @@ Json parameters_json(const program::Parameters& parameters) {
 program::Parameters parameters_of(const Json& json) {
   program::Parameters parameters{};
   for (std::size_t i = 0; i < parameters.size(); ++i)
-    parameters[i] = integer_in(json, std::to_string(i).c_str(), -kLargestParameter, kLargestParameter, 0);
+    parameters[i] = integer_in(json, std::to_string(i).c_str(), -program::kLargestValue, program::kLargestValue, 0);
   return parameters;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "language/check_block.hpp"
+#include "panel/line_keys.hpp"
 
 namespace cnclab::panel {
 
@@ -90,13 +91,8 @@ void store_line(TeachInMode& mode, ControlState& state) {
 }
 
 void press_line(TeachInMode& mode, ControlState& state, Effect effect, int figure) {
+  if (key_into(mode.line, effect, figure)) return;
   switch (effect) {
-    case Effect::digit:
-      return mode.line.digit(figure);
-    case Effect::point:
-      return mode.line.point();
-    case Effect::sign:
-      return mode.line.sign();
     case Effect::clear:
       return mode.line.clear();
     case Effect::enter:

@@ -16,8 +16,11 @@ std::expected<CheckedPath, language::Error> CheckedPath::begin(ProgramSet progra
 
 std::expected<void, language::Error> CheckedPath::step(std::vector<geometry::PathItem>& out) {
   if (fault_) return std::unexpected(*fault_);
+  const std::size_t before = out.size();
   const auto executed = source_.step(held_, &check_);
-  if (auto judged = judge(out); !judged) return judged;
+  const auto judged = judge(out);
+  silent_blocks_ = out.size() == before ? silent_blocks_ + 1 : 0;
+  if (!judged) return judged;
   if (!executed) return std::unexpected(executed.error());
   return {};
 }

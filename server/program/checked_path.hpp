@@ -36,6 +36,9 @@ class CheckedPath {
   [[nodiscard]] std::expected<void, language::Error> flush(std::vector<geometry::PathItem>& out);
 
   [[nodiscard]] bool ended() const { return source_.ended() || fault_.has_value(); }
+  /// Have more than 2 · kMostHeld blocks in a row let nothing go? Then the program goes round in an open contour
+  /// without a way, and what waits grows without end: callers stop as at a block limit.
+  [[nodiscard]] bool waits_in_vain() const { return silent_blocks_ > 2 * kMostHeld; }
 
  private:
   explicit CheckedPath(PathSource source) : source_(std::move(source)) {}
@@ -46,6 +49,7 @@ class CheckedPath {
   geometry::ContourCheck check_;
   std::vector<geometry::PathItem> held_;  ///< in their order; empty while no contour is open
   std::size_t findings_seen_ = 0;
+  std::size_t silent_blocks_ = 0;  ///< since something came out
   std::optional<language::Error> fault_;
 };
 

@@ -46,7 +46,8 @@ int path(const Options& options) {
   std::vector<geometry::PathItem> items;
   std::string text;
   std::optional<language::Error> error;
-  for (std::uint64_t blocks = 0; blocks < options.most_blocks && !source->ended(); ++blocks) {
+  std::uint64_t blocks = 0;
+  for (; blocks < options.most_blocks && !source->ended() && !source->waits_in_vain(); ++blocks) {
     const auto executed = source->step(items);
     append_items(text, items);
     if (!executed) error = executed.error();
@@ -64,7 +65,7 @@ int path(const Options& options) {
   if (is_cut)
     print_problem(job->file, fmt::format(fmt::runtime(say(options.tongue, "nach {} Sätzen abgebrochen (--max-blocks).",
                                                           "stopped after {} blocks (--max-blocks).")),
-                                         options.most_blocks));
+                                         blocks));
   return 0;
 }
 

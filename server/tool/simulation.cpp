@@ -136,7 +136,7 @@ void Simulation::feed(program::CheckedPath& path, motion::Planner& planner) {
 /// Executes the next block into `pending_`. False when nothing follows: the end, an error or the block limit.
 bool Simulation::take_block(program::CheckedPath& path) {
   if (path.ended()) return false;
-  const bool is_cut = fed_blocks_ >= options_.most_blocks;
+  const bool is_cut = fed_blocks_ >= options_.most_blocks || path.waits_in_vain();
   std::vector<geometry::PathItem> finished;
   const auto executed = is_cut ? path.flush(finished) : path.step(finished);
   geometry::run_in_step_grid(finished, job_.settings.steps_per_mm);

@@ -111,6 +111,7 @@ class Drawing {
     if (at_seat->errors_last_minute() != 0) put(kErrors, fmt::format("{:3}", at_seat->errors_last_minute()));
     put(kLink, at_seat->connected() ? say({"ja", "yes"}) : say({"FEHLT", "LOST"}));
     if (at_seat->meldung() != 0) put(kHand, fmt::format("{}.", at_seat->meldung()));
+    if (at_seat->remote() && control_of(seat).empty()) put(kControl, "REMOTE");  // its control listens to a computer
     if (at_seat->locked()) put(kControl, say({"gesperrt", "locked"}));
     if (!at_seat->taken_by().empty()) put(kControl, at_seat->taken_by());
   }

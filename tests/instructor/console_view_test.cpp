@@ -57,6 +57,13 @@ TEST(ConsoleView, INS_001_every_seat_has_a_line_with_who_what_and_control) {
   EXPECT_EQ(trimmed(screen, 16), "  15 (frei)");
 }
 
+TEST(ConsoleView, KEY_008_a_station_under_REMOTE_says_so) {
+  ConsoleModel model = lesson();
+  for (auto& station : *model.status->mutable_stations()) station.set_remote(true);
+  EXPECT_THAT(draw_console(model).text(10), HasSubstr("FEHLT 1.   REMOTE"));
+  EXPECT_THAT(draw_console(model).text(8), Not(HasSubstr("REMOTE"))) << "who has the machine is shown first";
+}
+
 TEST(ConsoleView, INS_001_machine_and_tick_have_a_line_each) {
   const Screen screen = draw_console(lesson()).screen;
   EXPECT_EQ(trimmed(screen, 18), " Maschine  FÄHRT      X+0085.000 Y-0060.500 Z+0000.000    F1000 S-0500");

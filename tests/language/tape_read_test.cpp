@@ -49,6 +49,7 @@ TEST(Tape, ReadsProgramsToTheirEnds_EXT_049_to_055) {
       {"DEC-58 goes on behind a separator", "P0001N001G17"s + "\0\0\0\0\0\0"s + "N002G18%",
        "P0001\nN001G17\nN002G18\n"},
       {"fewer than six NUL are ignored", "P0001N001G17"s + "\0\0\0\0\0"s + "N002G18", "P0001\nN001G17\nN002G18\n"},
+      {"EXT-052 five NUL end no word", "P0001N001G00X+1"s + "\0\0\0\0\0"s + "2%", "P0001\nN001G00X+12\n"},
       {"a separator ends a word", "P0001N001G20P0001N001"s + "\0\0\0\0\0\0\0"s + "N002G18",
        "P0001\nN001G20P0001N001\nN002G18\n"},
       {"leading NUL", "\0\0\0\0\0\0\0\0"s + "P0001N001G17", "P0001\nN001G17\n"},

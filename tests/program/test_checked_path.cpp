@@ -139,6 +139,32 @@ TEST(CheckedPath, LetsALongContourGoInParts) {
   EXPECT_LE(items.size(), CheckedPath::kMostHeld + 10);
 }
 
+/// The cut lies in the part that is known by then, and the contour goes on without end.
+TEST(CheckedPath, FindsTheCutInEachPart_DEC09) {
+  const std::string open(kPocket.substr(0, kPocket.find("N009")));
+  auto path = CheckedPath::begin(with_tool(open + "N009G01X-1N010G20P0001N009"), wide_settings(), {});
+  ASSERT_TRUE(path);
+  std::vector<geometry::PathItem> items;
+  std::size_t steps = 0;
+  while (steps < CheckedPath::kMostHeld + 20 && path->step(items)) ++steps;
+  ASSERT_TRUE(path->ended());
+  EXPECT_LT(steps, CheckedPath::kMostHeld + 10);
+  EXPECT_EQ(path->step(items).error().block, 5);
+  EXPECT_EQ(items.back().source.block, 4);
+}
+
+TEST(CheckedPath, TellsOfAProgramThatGoesRoundInAnOpenContour) {
+  auto path = CheckedPath::begin(with_tool("N003G42N004G01X+20000N005G01X+1000N006G20P0001N006"), wide_settings(), {});
+  ASSERT_TRUE(path);
+  std::vector<geometry::PathItem> items;
+  for (std::size_t i = 0; i < CheckedPath::kMostHeld; ++i) ASSERT_TRUE(path->step(items));
+  EXPECT_FALSE(path->waits_in_vain());
+  for (std::size_t i = 0; i < CheckedPath::kMostHeld + 10; ++i) ASSERT_TRUE(path->step(items));
+  EXPECT_TRUE(path->waits_in_vain());
+  EXPECT_TRUE(path->flush(items));
+  EXPECT_EQ(items.back().source.block, 6);
+}
+
 TEST(CheckedPath, CannotBeginWhatIsNotThere) {
   EXPECT_EQ(CheckedPath::begin(programs_of("P0001N001G17%"), {}, {.program = 2}).error().code,
             ErrorCode::program_missing);

@@ -28,7 +28,7 @@ TEST_F(MediaLine, SEAT_004_AFileIsRepeatedCleanlyAfterACutLine) {
   StationProcess anna = sit_down(line.address());
   anna.type("4");
   anna.type("8");
-  anna.wait_for("P0008");
+  anna.wait_for("0008");
   lay("P0008.nc", "old");
   line.limit(10'000);  // 17 KB take a while
   anna.press("ENTER");

@@ -50,6 +50,14 @@ TEST_F(ContoursTest, APlotIsNotMadeOfThem_DEC_09) {
   EXPECT_FALSE(std::filesystem::exists(at("part.svg")));
 }
 
+TEST_F(ContoursTest, ALoopInAnOpenContourEndsAtABlockLimit) {
+  const std::string loop = kPocket.substr(0, kPocket.find("N006")) + "N006G20P0001N006%";
+  const Said said = tool("run -", loop);
+  EXPECT_EQ(said.exit_code, 0) << said.err;
+  EXPECT_EQ(json::parse(said.out)["ended"], "block_limit");
+  EXPECT_EQ(tool("path -", loop).exit_code, 0);
+}
+
 TEST_F(ContoursTest, ASmallerToolRunsThrough) {
   const std::string tools = write("tools.cnc", "P0000T001R+1000L+0%");
   const Said said = tool("run - --tools " + tools, kPocket);

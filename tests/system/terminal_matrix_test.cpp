@@ -1,0 +1,110 @@
+// The station on the terminals that schools have: drawing, keys, umlauts, marks without colour, the keyboard's three
+// blocks by mouse (DEC-01, KEY-001).
+#include <gtest/gtest.h>
+
+#include "harness/classroom.hpp"
+
+namespace cnclab::harness {
+namespace {
+
+constexpr int kScreenRows = 24, kTall = 40, kColumns = 80;
+
+/// A terminal description, and what its keyboard sends.
+struct Kind {
+  const char* term;
+  const char* f2;
+  const char* arrow_down;
+  const char* f12;
+  bool has_mouse;
+};
+constexpr Kind kKinds[] = {{"xterm-256color", "\x1bOQ", "\x1bOB", "\x1b[24~", true},
+                           {"linux", "\x1b[[B", "\x1b[B", "\x1b[24~", false},
+                           {"vt220", "\x1bOQ", "\x1b[B", "\x1b[24~", false},
+                           {"putty", "\x1b[12~", "\x1bOB", "\x1b[24~", true}};
+
+class Terminals : public testing::TestWithParam<Kind> {
+ protected:
+  Terminals() { room_.add_student("anna"); }
+  Terminal open(int rows, const std::vector<std::string>& more = {}, const std::string& locale = "C.UTF-8") {
+    StationOptions options = room_.station_options(1, "anna");
+    options.more = more;
+    return Terminal({.program = programs_folder() / "cnclab-station",
+                     .arguments = station_arguments(options),
+                     .environment = {{"TERM", GetParam().term},
+                                     {"LC_ALL", locale},
+                                     {"XDG_STATE_HOME", (room_.folder().path() / "state").string()}},
+                     .rows = rows,
+                     .columns = kColumns});
+  }
+  Classroom room_;
+};
+
+TEST_P(Terminals, DEC_01_FrameUmlautsAndMarksAreDrawn) {
+  Terminal terminal = open(kScreenRows);
+  terminal.wait_for("? alle Tasten");
+  EXPECT_TRUE(terminal.row(0).starts_with("┌──")) << terminal.text();
+  EXPECT_TRUE(terminal.row(17).starts_with("└──")) << terminal.text();
+  EXPECT_NE(terminal.text().find("SPEICHER LÖSCHEN   Speicher Löschen"), std::string::npos) << terminal.text();
+  EXPECT_NE(terminal.text().find("START    ○"), std::string::npos) << terminal.text();
+  terminal.type("o");
+  terminal.wait_for("Was möchten Sie tun?");
+  EXPECT_TRUE(terminal.is_inverse(18, 2)) << "what is marked is inverse, not only coloured";
+  EXPECT_FALSE(terminal.is_inverse(18, 10));
+}
+
+TEST_P(Terminals, FunctionKeysHavePlainTwinsAndEscapeIsNoPrefixThatEatsTheNextKey) {
+  Terminal terminal = open(kScreenRows);
+  terminal.wait_for("? alle Tasten");
+  terminal.type(GetParam().f2);
+  terminal.wait_for("EINGABEMODUS");
+  terminal.type("\x1bm");  // Escape means nothing here, and m is MENU though it follows at once
+  terminal.wait_for("□ EXTERNE DATEN");
+  terminal.type("?");
+  terminal.wait_gone("□ EXTERNE DATEN");
+  terminal.type("\x1b");  // leaves the help page without waiting for a sequence to go on
+  terminal.wait_for("□ EXTERNE DATEN");
+  terminal.type(GetParam().f12);
+  terminal.wait_for("HALT Platz 1");
+}
+
+TEST_P(Terminals, AsciiDrawsTheSameWithPlusMinusBar) {
+  Terminal terminal = open(kScreenRows, {"--ascii"});
+  terminal.wait_for("? alle Tasten");
+  EXPECT_TRUE(terminal.row(0).starts_with("+--")) << terminal.text();
+  EXPECT_TRUE(terminal.row(1).starts_with("|CNC 3300")) << terminal.text();
+  EXPECT_NE(terminal.text().find("SPEICHER LOSCHEN"), std::string::npos) << terminal.text();
+  for (const char c : terminal.text()) ASSERT_TRUE(c == '\n' || (c >= ' ' && c <= '~')) << terminal.text();
+}
+
+TEST_P(Terminals, KEY_001_TheKeyboardHasTheOriginalsThreeBlocks) {
+  Terminal terminal = open(kTall);
+  terminal.wait_for("? alle Tasten");
+  terminal.wait_for("A HANDBETRIEB");
+  terminal.wait_for("B BETRIEBSARTEN");
+  terminal.wait_for("C DATENEINGABE");
+  if (!GetParam().has_mouse) return;
+  const auto click = [&](const std::string& cap) {
+    const auto place = terminal.find_below(cap, kScreenRows);
+    ASSERT_TRUE(place.has_value()) << cap << "\n" << terminal.text();
+    terminal.click(place->first, place->second + 2);
+  };
+  click(" EINGABE ");  // block B
+  terminal.wait_for("PROGRAMM NR □0001");
+  click("  7  ");  // block C
+  terminal.wait_gone("□0001");
+  click("  MENU  ");
+  terminal.wait_for("□ EXTERNE DATEN");
+  click("  HAND  ");  // block A
+  terminal.wait_for("REFERENZ   FRÄSER   KÜHLMITTEL");
+}
+
+void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.term; }
+
+INSTANTIATE_TEST_SUITE_P(Terminfo, Terminals, testing::ValuesIn(kKinds), [](const auto& kind) {
+  std::string name = kind.param.term;
+  std::erase_if(name, [](char c) { return c == '-'; });
+  return name;
+});
+
+}  // namespace
+}  // namespace cnclab::harness
