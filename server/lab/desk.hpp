@@ -91,6 +91,7 @@ struct Desk {
   std::int64_t last_drawn_ns = 0, last_saved_ns = 0;
   std::string saved_state;
   bool is_dirty = true;  ///< the screen is to be drawn
+  bool was_busy = false;
 
   /// Every input up to this number has had its effect.
   [[nodiscard]] std::uint64_t handled() const;

@@ -115,8 +115,11 @@ void Lab::media_over(const DeskPtr& desk, const MediaOrder& order) {
   if (order.from == MediaOrder::From::hardcopy)
     return note(*desk, !order.problem.empty() ? order.problem
                                               : say(tongue, "Der Bildschirm ist gedruckt.", "The screen is printed."));
-  if (!order.problem.empty()) return desk->control.media_done(std::unexpected(order.problem));
-  desk->control.media_done(order.read);
+  if (order.problem.empty())
+    desk->control.media_done(order.read);
+  else
+    desk->control.media_done(std::unexpected(order.problem));
+  outcome(desk, desk->control.poll(now(*desk)), 0);  // the answer acts at once
 }
 
 void Lab::take_media(const VisitPtr& visit, const v1::ClientMessage& message) {

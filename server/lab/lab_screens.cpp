@@ -1,5 +1,6 @@
 // Who sees what: screens are drawn when something changed, at most 20 times a second while axes move.
 #include <algorithm>
+#include <utility>
 
 #include "cnclab/v1/envelope.pb.h"
 #include "lab/lab.hpp"
@@ -10,6 +11,16 @@ namespace cnclab::lab {
 namespace {
 constexpr std::int64_t kRefresh_ns = 50'000'000;
 constexpr std::size_t kMostErrors = 99;
+
+/// What binds a computer to a seat is for the student who sits there, not for those who see the screen elsewhere.
+void hide(Screen& screen, const std::string& token) {
+  const std::u32string sought = from_utf8(token);
+  for (int row = 0; row < Screen::kRows && !token.empty(); ++row) {
+    const std::size_t column = from_utf8(screen.text(row)).find(sought);
+    if (column != std::u32string::npos) screen.write(row, static_cast<int>(column), std::string(token.size(), '*'));
+  }
+}
+
 }  // namespace
 
 void Lab::draw_due(std::int64_t now_ns) {
@@ -17,7 +28,9 @@ void Lab::draw_due(std::int64_t now_ns) {
   const bool clock_moved = second != drawn_second_;
   drawn_second_ = second;
   for (const auto& [id, desk] : desks_) {
-    const bool moving = desk->control.is_running() && now_ns - desk->last_drawn_ns >= kRefresh_ns;
+    const bool is_busy = desk->control.is_busy();
+    if (std::exchange(desk->was_busy, is_busy) && !is_busy) desk->is_dirty = true;  // the end shows at once
+    const bool moving = is_busy && now_ns - desk->last_drawn_ns >= kRefresh_ns;
     if (desk->notice_until_ns != 0 && now_ns >= desk->notice_until_ns) note(*desk, "");
     // The end of a run shows at once, and with it the state number that the next START is valid for (AUTH-008).
     const bool was_started = desk->situation.started;
@@ -40,6 +53,7 @@ void Lab::draw(const DeskPtr& desk, std::int64_t now_ns) {
       if (other != desk) present(other, 0);
   View seen = desk->view;
   seen.handled_key = 0;
+  hide(seen.screen, desk->dnc_token);
   for (const VisitPtr& visit : visits_) {
     if (visit->stage != Stage::looking_on && visit->stage != Stage::at_console) continue;
     if (visit->watched_station != desk->station) continue;
@@ -54,6 +68,7 @@ void Lab::present(const DeskPtr& desk, int beeps) {
   View view = desk->view;
   if (const DeskPtr shown = shown_to(*desk)) {
     view.screen = shown->view.screen;
+    hide(view.screen, shown->dnc_token);
     const auto tongue = tongue_of(desk->person);
     const std::string who = say(tongue, " Platz ", " Station ") + std::to_string(shown->station) + ", " +
                             shown->person.name + say(tongue, ", wird allen gezeigt ", ", is shown to all ");

@@ -201,6 +201,8 @@ class Control {
   [[nodiscard]] Situation situation() const;
   [[nodiscard]] Mode mode() const;
   [[nodiscard]] bool is_running() const;  ///< START state
+  /// Does the screen change without a key: a run, a test run of GRAFIK, a transfer, the recorder?
+  [[nodiscard]] bool is_busy() const;
   /// What the run that is present was begun with, also while it rests; nullptr where there is none (STO-007).
   [[nodiscard]] std::shared_ptr<const RunOrder> run_order() const;
   /// Short tones since the last call; and whether the repeated tone of M01 sounds.

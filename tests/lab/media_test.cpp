@@ -45,9 +45,19 @@ class LabMedia : public testing::Test, protected SmallLab {
       look();
     }
   }
+  /// Keys going down, in view of what there is to see.
   void strike_all(std::initializer_list<Key> keys) {
     for (const Key key : keys) {
-      strike(eva_, key);
+      for (const bool pressed : {true, false}) {
+        v1::ClientMessage message;
+        auto& event = *message.mutable_key();
+        event.set_number(++eva_.number);
+        event.add_keys(static_cast<v1::Key>(key));
+        event.set_pressed(pressed);
+        event.mutable_seen()->set_beat(eva_.beat);
+        event.mutable_seen()->set_state(eva_.state);
+        lab().receive(eva_.visit, message);
+      }
       look();
     }
   }

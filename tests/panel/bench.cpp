@@ -46,25 +46,26 @@ Bench::Bench(const Setup& setup)
 }
 
 void Bench::answer(const Outcome& outcome) {
-  if (outcome.media) {
-    std::expected<std::string, std::string> answer;
-    if (const auto* put = std::get_if<PutFiles>(&*outcome.media))
-      for (const MediaFile& file : put->files) media[file.name] = file.bytes;
-    if (const auto* get = std::get_if<GetFile>(&*outcome.media)) {
-      const auto there = std::ranges::find_if(get->names, [&](const auto& name) { return media.contains(name); });
-      if (there == get->names.end())
-        answer = std::unexpected("Datei " + get->names.front() + " fehlt.");
-      else
-        answer = media.at(*there);
-    }
-    control.media_done(answer);
-  }
   line_news.insert(line_news.end(), outcome.line_news.begin(), outcome.line_news.end());
   if (outcome.remote_start) {
     remote_starts.push_back(*outcome.remote_start);
     answer(control.answer_remote_start(remote_refusal, now));
   }
-  if (!control.is_storing()) return;
+  if (outcome.media) {
+    std::expected<std::string, std::string> reply;
+    if (const auto* put = std::get_if<PutFiles>(&*outcome.media))
+      for (const MediaFile& file : put->files) media[file.name] = file.bytes;
+    if (const auto* get = std::get_if<GetFile>(&*outcome.media)) {
+      const auto there = std::ranges::find_if(get->names, [&](const auto& name) { return media.contains(name); });
+      if (there == get->names.end())
+        reply = std::unexpected("Datei " + get->names.front() + " fehlt.");
+      else
+        reply = media.at(*there);
+    }
+    control.media_done(reply);
+    return answer(control.poll(now));
+  }
+  if (!outcome.store) return;  // what does not leave with an outcome is never stored
   ++stores_;
   control.store_done(next_store_error_.value_or(""));
   next_store_error_.reset();
