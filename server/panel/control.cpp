@@ -5,6 +5,7 @@
 #include <tuple>
 #include <utility>
 
+#include "panel/control_impl.hpp"
 #include "panel/key_table.hpp"
 #include "panel/modes.hpp"
 #include "panel/remote_line.hpp"
@@ -58,7 +59,7 @@ bool is_labs_own(Key key) {
   return key == Key::none || key == Key::MELDUNG || key == Key::MASCHINE_HALT || key == Key::LABOR;
 }
 
-constexpr int kBaudDatum = 20, kBeeperDatum = 22;
+constexpr int kBeeperDatum = 22;
 
 /// What the effect has to know of its key: the digit, or which of the six direction keys.
 int figure_of(Effect effect, Key key) {
@@ -67,93 +68,6 @@ int figure_of(Effect effect, Key key) {
 }
 
 }  // namespace
-
-struct Control::Impl {
-  Impl(const Settings& settings, Memory memory, machine::MachineData data)
-      : state(settings, std::move(memory), std::move(data)) {}
-
-  void change_mode(Mode next, Outcome& outcome) {
-    close_mode(active, state);
-    active = open_mode(next, state);
-    outcome.mode_changed = true;
-  }
-
-  /// Opens the mode that the active one asked for, if any.
-  void obey_mode(Outcome& outcome) {
-    if (const auto next = std::exchange(state.next_mode, std::nullopt)) change_mode(*next, outcome);
-  }
-
-  /// RESET in any state: as STOP, spindle and coolant off, menu; programs and parameters stay (D-121, DEC-39).
-  void reset(Outcome& outcome) {
-    change_mode(Mode::menu, outcome);
-    outcome.was_reset = true;
-    state.message = {};
-    state.modal = {};
-    state.compensation_mm = {};
-    if (!state.connection.channel) return;
-    machine::Channel& channel = *state.connection.channel;
-    channel.stop(machine::StopCause::operator_stop);
-    (void)channel.command(machine::SwitchSpindle{state.connection.epoch, {}});
-    (void)channel.command(machine::SwitchCoolant{state.connection.epoch, false});
-  }
-
-  /// Modes that must not be entered while the lab's machine is connected (DEC-39).
-  void open_service_mode(Mode mode, Outcome& outcome) {
-    if (state.connection.is_lab_machine) {
-      state.hint = text(Text::said_not_on_lab_machine, state.tongue());
-      return;
-    }
-    change_mode(mode, outcome);
-  }
-
-  /// STOP reaches the machine in every mode, whatever else it does (AUTH-006).
-  void stop_machine() const {
-    if (state.connection.channel && state.connection.channel->snapshot().started)
-      state.connection.channel->stop(machine::StopCause::operator_stop);
-  }
-
-  /// The Istwert that was kept, once a training machine is there to count on.
-  void set_kept_istwert() {
-    if (!kept_istwert_mm || !state.connection.channel || state.connection.is_lab_machine) return;
-    (void)state.connection.channel->command(
-        machine::SetIstwert{state.connection.epoch, {true, true, true}, *kept_istwert_mm});
-    kept_istwert_mm.reset();
-  }
-
-  void hand_out_media(Outcome& outcome) {
-    if (!state.media || state.is_media_pending) return;
-    media_answer.reset();  // to a request that was broken off
-    outcome.media = std::exchange(state.media, std::nullopt);
-    state.is_media_pending = true;
-  }
-
-  void hand_out_line(Outcome& outcome) {
-    SerialPort& port = state.port;
-    outcome.line_news = std::exchange(port.news, {});
-    outcome.is_from_line = port.is_storing;
-    if (port.asked && !std::exchange(port.has_handed_out_start, true)) outcome.remote_start = port.asked;
-  }
-
-  /// In `poll`, since what was read is a request to store it, which leaves with an outcome.
-  void take_media_answer() {
-    const auto answer = std::exchange(media_answer, std::nullopt);
-    auto* external = std::get_if<ExternalDataMode>(&active);
-    if (answer && external != nullptr) media_answered(*external, state, *answer);
-  }
-
-  [[nodiscard]] transfer::Time time() const {
-    return std::chrono::duration_cast<transfer::Time>(std::chrono::nanoseconds(state.now.monotonic_ns));
-  }
-
-  [[nodiscard]] Place place() const { return place_of(active, state); }
-  [[nodiscard]] std::string sentence(const SideView& side) const;
-
-  ControlState state;
-  ActiveMode active = MenuMode{};
-  std::uint64_t signals_heard = 0;
-  std::optional<std::expected<std::string, std::string>> media_answer;  ///< to be taken in
-  std::optional<std::array<double, 3>> kept_istwert_mm;
-};
 
 Control::Control(const Settings& settings, Memory memory, machine::MachineData data)
     : impl_(std::make_unique<Impl>(settings, std::move(memory), std::move(data))) {}
@@ -299,97 +213,6 @@ Outcome Control::poll(const Now& now) {
   impl_->hand_out_media(outcome);
   impl_->hand_out_line(outcome);
   outcome.picture = std::exchange(state.picture, std::nullopt);
-  return outcome;
-}
-
-void Control::connect_media(bool is_connected) { impl_->state.has_media = is_connected; }
-
-void Control::connect_printer(bool is_connected) { impl_->state.has_printer = is_connected; }
-
-bool Control::awaits_media() const { return impl_->state.is_media_pending && !impl_->state.is_media_stale; }
-
-void Control::order_picture() {
-  if (auto* graphics = std::get_if<GraphicsMode>(&impl_->active)) panel::order_picture(*graphics);
-}
-
-void Control::media_done(const std::expected<std::string, std::string>& answer) {
-  ControlState& state = impl_->state;
-  if (!std::exchange(state.is_media_pending, false)) return;
-  if (!std::exchange(state.is_media_stale, false)) impl_->media_answer = answer;
-}
-
-void Control::insert_cassette(transfer::Cassette cassette, const Now& now) {
-  impl_->state.now = now;
-  if (!recorder_runs()) impl_->state.recorder.emplace(std::move(cassette), impl_->time());
-}
-
-void Control::eject_cassette() {
-  if (!recorder_runs()) impl_->state.recorder.reset();
-}
-
-std::optional<transfer::Cassette> Control::cassette() const {
-  if (!impl_->state.recorder) return std::nullopt;
-  return impl_->state.recorder->cassette();
-}
-
-bool Control::recorder_runs() const { return impl_->state.recorder && impl_->state.recorder->motor_runs(); }
-
-void Control::press_recorder(RecorderKey key, const Now& now) {
-  impl_->state.now = now;
-  if (!impl_->state.recorder) return;
-  transfer::CassetteDeck& recorder = *impl_->state.recorder;
-  switch (key) {
-    case RecorderKey::rewind:
-      return recorder.rewind(impl_->time());
-    case RecorderKey::wind_on:
-      return recorder.wind_on(impl_->time());
-    case RecorderKey::stop:
-      return recorder.stop(impl_->time());
-    case RecorderKey::zero_counter:
-      return recorder.zero_counter();
-  }
-}
-
-void Control::fit_line(LineFitting fitting) { impl_->state.port.fitting = std::move(fitting); }
-
-void Control::set_remote(bool is_on) { impl_->state.settings.remote = is_on; }
-
-bool Control::is_remote() const { return impl_->state.settings.remote; }
-
-void Control::connect_line(bool is_connected, const Now& now) {
-  impl_->state.now = now;
-  panel::connect_line(impl_->active, impl_->state, is_connected);
-}
-
-std::size_t Control::line_received(std::string_view bytes, const Now& now) {
-  impl_->state.now = now;
-  return impl_->state.port.line.receive(bytes, impl_->time());
-}
-
-std::string Control::take_line_output(const Now& now, std::size_t most) {
-  impl_->state.now = now;
-  return impl_->state.port.line.take_output(impl_->time(), most);
-}
-
-bool Control::is_line_idle() const {
-  const SerialPort& port = impl_->state.port;
-  return !port.is_storing && !port.asked && port.line.is_idle();
-}
-
-int Control::line_baud() const { return static_cast<int>(impl_->state.data.get(kBaudDatum)); }
-
-bool Control::is_line_reading() const { return impl_->state.port.line.is_reading(); }
-
-std::optional<Armed> Control::armed() const {
-  const auto* external = std::get_if<ExternalDataMode>(&impl_->active);
-  return external == nullptr ? std::nullopt : external->armed;
-}
-
-Outcome Control::answer_remote_start(const std::string& refusal, const Now& now) {
-  impl_->state.now = now;
-  Outcome outcome;
-  outcome.mode_changed = panel::answer_remote_start(impl_->active, impl_->state, refusal);
-  impl_->hand_out_line(outcome);
   return outcome;
 }
 
