@@ -11,6 +11,16 @@ namespace cnclab::lab {
 namespace {
 constexpr std::int64_t kRefresh_ns = 50'000'000;
 constexpr std::size_t kMostErrors = 99;
+
+/// What binds a computer to a seat is for the student who sits there, not for those who see the screen elsewhere.
+void hide(Screen& screen, const std::string& token) {
+  const std::u32string sought = from_utf8(token);
+  for (int row = 0; row < Screen::kRows && !token.empty(); ++row) {
+    const std::size_t column = from_utf8(screen.text(row)).find(sought);
+    if (column != std::u32string::npos) screen.write(row, static_cast<int>(column), std::string(token.size(), '*'));
+  }
+}
+
 }  // namespace
 
 void Lab::draw_due(std::int64_t now_ns) {
@@ -43,6 +53,7 @@ void Lab::draw(const DeskPtr& desk, std::int64_t now_ns) {
       if (other != desk) present(other, 0);
   View seen = desk->view;
   seen.handled_key = 0;
+  hide(seen.screen, desk->dnc_token);
   for (const VisitPtr& visit : visits_) {
     if (visit->stage != Stage::looking_on && visit->stage != Stage::at_console) continue;
     if (visit->watched_station != desk->station) continue;
@@ -57,6 +68,7 @@ void Lab::present(const DeskPtr& desk, int beeps) {
   View view = desk->view;
   if (const DeskPtr shown = shown_to(*desk)) {
     view.screen = shown->view.screen;
+    hide(view.screen, shown->dnc_token);
     const auto tongue = tongue_of(desk->person);
     const std::string who = say(tongue, " Platz ", " Station ") + std::to_string(shown->station) + ", " +
                             shown->person.name + say(tongue, ", wird allen gezeigt ", ", is shown to all ");

@@ -111,34 +111,42 @@ class TcpLine final : public lab::LinePeer, public std::enable_shared_from_this<
     tell_end("the sender has ended");
   }
 
-  /// True where it is a line of the lab now; `read` is what came behind the first line then.
+  /// True where it is a line of the lab now; `read` is what came behind the first line then. The answer to anything
+  /// else is silence, for a while: guesses and noise come no faster.
   asio::awaitable<bool> bind(std::string& read) {
     boost::system::error_code error;
     const std::size_t length =
         co_await asio::async_read_until(stream_, asio::dynamic_buffer(read, transfer::kLongestBinding + 2), '\n',
                                         asio::redirect_error(use_awaitable, error));
-    if (!is_open_) co_return false;
-    std::string why = error == asio::error::not_found ? "line too long" : error.message();
-    if (!error) {
-      const auto binding = transfer::parse_binding(std::string_view(read).substr(0, length - 1));
-      if (binding) {
-        auto line = lab_.bind_line(this->shared_from_this(), *binding);
-        deadline_.cancel();
-        if (line) {
-          line_ = *line;
-          unbound_.leave();
-          read.erase(0, length);
-          co_return true;
-        }
-        spdlog::warn("dnc {}: refused: {}", address_, line.error());
-        co_await pause(kBeforeClosing);
-        co_return false;
-      }
-      why = std::string(binding.error());
-    }
     deadline_.cancel();
-    give_up(why);
-    co_return false;
+    if (!is_open_) co_return false;
+    if (const auto refusal = error ? std::optional(why_not(error)) : claim(read, length)) {
+      spdlog::warn("dnc {}: refused: {}", address_, *refusal);
+      co_await pause(kBeforeClosing);
+      co_return false;
+    }
+    unbound_.leave();
+    read.erase(0, length);
+    co_return true;
+  }
+
+  /// Asks the lab for the line that the first line names; the reason where it is refused.
+  std::optional<std::string> claim(const std::string& read, std::size_t length) {
+    const auto binding = transfer::parse_binding(std::string_view(read).substr(0, length - 1));
+    if (!binding) {
+      lab_.refuse_line(address_, std::string(binding.error()));
+      return std::string(binding.error());
+    }
+    auto line = lab_.bind_line(this->shared_from_this(), *binding);
+    if (!line) return line.error();
+    line_ = *line;
+    return std::nullopt;
+  }
+
+  std::string why_not(const boost::system::error_code& error) {
+    std::string why = error == asio::error::not_found ? "line too long" : error.message();
+    lab_.refuse_line(address_, why);
+    return why;
   }
 
   asio::awaitable<void> pause(std::chrono::milliseconds time) {

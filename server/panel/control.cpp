@@ -7,7 +7,6 @@
 
 #include "panel/control_impl.hpp"
 #include "panel/key_table.hpp"
-#include "panel/modes.hpp"
 #include "panel/remote_line.hpp"
 #include "panel/screen_frame.hpp"
 #include "panel/state_json.hpp"

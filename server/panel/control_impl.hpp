@@ -1,15 +1,10 @@
-// What a Control is inside: its state, its mode, and what several of its functions need. Only control.cpp and
-// control_devices.cpp include it.
+// What a Control is made of; for its own files only.
 #pragma once
 
-#include <array>
-#include <chrono>
-#include <expected>
-#include <optional>
-#include <string>
 #include <utility>
 
 #include "panel/control.hpp"
+#include "panel/control_state.hpp"
 #include "panel/modes.hpp"
 
 namespace cnclab::panel {

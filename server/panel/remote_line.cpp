@@ -56,10 +56,8 @@ transfer::ControlStatus status_of(const ActiveMode& mode, const ControlState& st
 }
 
 void begin(ControlState& state, SerialLine::Mode wanted, bool is_held = false) {
-  constexpr int kBaudDatum = 20;
   SerialPort& port = state.port;
   port.line.stop(time_of(state));
-  port.line.set_speed({.baud = static_cast<int>(state.data.get(kBaudDatum)), .is_paced = port.fitting.is_paced});
   if (wanted == SerialLine::Mode::remote) port.line.begin_remote(state.editor_program, time_of(state), is_held);
   if (wanted == SerialLine::Mode::reading) port.line.begin_reading(time_of(state));
   if (wanted == SerialLine::Mode::sending)
@@ -69,7 +67,9 @@ void begin(ControlState& state, SerialLine::Mode wanted, bool is_held = false) {
 
 /// Brings the line into the state that mode, order and REMOTE switch ask for.
 void steer(const ActiveMode& mode, ControlState& state) {
+  constexpr int kBaudDatum = 20;
   SerialPort& port = state.port;
+  port.line.set_speed({.baud = static_cast<int>(state.data.get(kBaudDatum)), .is_paced = port.fitting.is_paced});
   if (port.order == SerialPort::Order::send) return begin(state, SerialLine::Mode::sending);
   if (port.order == SerialPort::Order::read) return begin(state, SerialLine::Mode::reading);
   switch (port.line.mode()) {

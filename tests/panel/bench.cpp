@@ -46,6 +46,11 @@ Bench::Bench(const Setup& setup)
 }
 
 void Bench::answer(const Outcome& outcome) {
+  line_news.insert(line_news.end(), outcome.line_news.begin(), outcome.line_news.end());
+  if (outcome.remote_start) {
+    remote_starts.push_back(*outcome.remote_start);
+    answer(control.answer_remote_start(remote_refusal, now));
+  }
   if (outcome.media) {
     std::expected<std::string, std::string> reply;
     if (const auto* put = std::get_if<PutFiles>(&*outcome.media))
@@ -59,11 +64,6 @@ void Bench::answer(const Outcome& outcome) {
     }
     control.media_done(reply);
     return answer(control.poll(now));
-  }
-  line_news.insert(line_news.end(), outcome.line_news.begin(), outcome.line_news.end());
-  if (outcome.remote_start) {
-    remote_starts.push_back(*outcome.remote_start);
-    answer(control.answer_remote_start(remote_refusal, now));
   }
   if (!outcome.store) return;  // what does not leave with an outcome is never stored
   ++stores_;

@@ -2,53 +2,15 @@
 // AUTH-013, D-98, D-110, DEC-35, DEC-36, DEC-58, DEC-62). The bytes themselves: tests/transfer/test_serial_line.cpp.
 #include <gmock/gmock.h>
 
-#include "bench.hpp"
-#include "language/tape.hpp"
-#include "transfer/iso_code.hpp"
+#include "serial_rig.hpp"
 
 namespace cnclab::panel {
 namespace {
 
-using namespace std::string_view_literals;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
-
-constexpr std::string_view kMemory = "P0001N001G04H0010N002G04H0010P0007N005G04H0001%";
-
-class SerialPortTest : public testing::Test {
- public:
-  explicit SerialPortTest(bool is_remote = false, bool is_lab_machine = false, std::string tape = std::string(kMemory))
-      : bench({.settings = {.remote = is_remote}, .tape = std::move(tape), .is_lab_machine = is_lab_machine}) {
-    bench.control.fit_line({.is_fitted = true, .is_paced = false, .binding = "STATION 7 ABCD-EFGH-2345"});
-    bench.control.connect_line(true, bench.now);
-    bench.run_for(20);
-  }
-
-  /// What the computer says; the control has 50 ms for it.
-  void say(std::string_view bytes) {
-    ASSERT_EQ(bench.control.line_received(bytes, bench.now), bytes.size());
-    bench.run_for(50);
-  }
-  /// What the control has said since, DC1 and DC3 as "1" and "3" in angle brackets.
-  std::string heard() {
-    std::string text;
-    for (const char byte : bench.control.take_line_output(bench.now, std::string::npos)) {
-      const char c = transfer::without_parity(byte);
-      EXPECT_EQ(byte, transfer::with_even_parity(c)) << "EXT-044";
-      text += c == transfer::kReaderOn ? "<1>" : (c == transfer::kReaderOff ? "<3>" : std::string(1, c));
-    }
-    return text;
-  }
-  [[nodiscard]] std::string memory() const {
-    std::string text;
-    for (const language::Program& program : bench.control.memory().programs()) text += language::write_program(program);
-    return text;
-  }
-
-  Bench bench;
-};
 
 // --- keys -------------------------------------------------------------------------------------------------------
 
@@ -258,6 +220,19 @@ TEST_F(Remote, EXT_063_D_98_TheQueryIsAnsweredInEveryMode) {
   EXPECT_EQ(heard(), "P0007N005S%");
 }
 
+TEST_F(Remote, MD_120_AnotherBaudRateHoldsFromTheNextPollOn) {
+  bench.control.fit_line({.is_fitted = true, .is_paced = true, .binding = ""});
+  bench.keys("ENTER+RESET");
+  for (int datum = 0; datum < 16; ++datum) bench.keys("ENTER");  // 20 is the seventeenth
+  bench.keys("CLEAR 3 0 0 ENTER MENU");
+  ASSERT_EQ(bench.control.line_baud(), 300);
+  bench.run_for(1000);
+  heard();
+  ASSERT_EQ(bench.control.line_received("!", bench.now), 1U);
+  bench.run_for(400);  // 1 character there and 10 back last 367 ms
+  EXPECT_EQ(heard(), "P0001N001S%");
+}
+
 TEST_F(Remote, EXT_060_AStartRunsAndFurtherDataAreAwaitedBehindIt) {
   heard();
   say("P0001N002*");
@@ -372,106 +347,6 @@ TEST_F(Remote, TheSwitchTurnsPollingOffAndOn) {
   bench.control.set_remote(true);
   bench.run_for(20);
   EXPECT_EQ(heard(), "<1>");
-}
-
-// --- the release (AUTH-013) -------------------------------------------------------------------------------------
-
-class Release : public SerialPortTest {
- public:
-  Release() : SerialPortTest(true, true, "P0001N001G04H0001N005G04H0001P0007N003G04H0001P0008N001G90N002G04H0001%") {
-    bench.keys("EXTERNE_DATEN");
-  }
-};
-
-TEST_F(Release, StartReleasesTheProgramShownFromItsFirstBlock) {
-  EXPECT_FALSE(bench.control.armed());
-  bench.keys("START");
-  const auto armed = bench.control.armed();
-  ASSERT_TRUE(armed);
-  EXPECT_EQ(armed->program, 1);
-  EXPECT_EQ(armed->block, 1);
-  EXPECT_EQ(armed->lease, machine::Epoch{1});
-  EXPECT_EQ(armed->at_ns, bench.now.monotonic_ns);
-  EXPECT_EQ(bench.monitor(13), "REMOTE  FERNSTART P0001 N001");
-  EXPECT_THAT(bench.row(18), HasSubstr("P0001 N001 einmal starten, noch 60 s"));
-  EXPECT_THAT(bench.line_news, ElementsAre("released P0001 N001"));
-}
-
-TEST_F(Release, OtherNumbersAreTypedAndReleasedAnew) {
-  bench.keys("START CLEAR 7");
-  EXPECT_FALSE(bench.control.armed()) << "what is typed is not released yet";
-  bench.keys("START");
-  ASSERT_TRUE(bench.control.armed());
-  EXPECT_EQ(bench.control.armed()->program, 7);
-  EXPECT_EQ(bench.control.armed()->block, 3);
-  bench.keys("CLEAR 1 ENTER CLEAR 5 START");
-  ASSERT_TRUE(bench.control.armed());
-  EXPECT_EQ(bench.control.armed()->block, 5);
-  bench.keys("CLEAR 6 START");
-  EXPECT_FALSE(bench.control.armed());
-  EXPECT_THAT(bench.monitor(15), HasSubstr("Satz fehlt"));
-}
-
-TEST_F(Release, IsOverAfter60Seconds) {
-  bench.keys("START");
-  bench.run_for(59'980);
-  EXPECT_TRUE(bench.control.armed());
-  bench.run_for(30);
-  EXPECT_FALSE(bench.control.armed());
-}
-
-TEST_F(Release, StopMenuResetAndAnotherLeaseWithdrawIt) {
-  for (const char* key : {"STOP", "MENU", "RESET"}) {
-    bench.keys("MENU EXTERNE_DATEN START");
-    ASSERT_TRUE(bench.control.armed()) << key;
-    bench.keys(key);
-    EXPECT_FALSE(bench.control.armed()) << key;
-  }
-  bench.keys("EXTERNE_DATEN START");
-  bench.control.connect({bench.channel, machine::Epoch{2}, true, {}});
-  EXPECT_FALSE(bench.control.armed());
-}
-
-TEST_F(Release, IsUsedUpByTheStart) {
-  bench.keys("START");
-  say("P0001N001*");
-  EXPECT_TRUE(bench.control.is_running());
-  EXPECT_FALSE(bench.control.armed());
-  bench.run_to_rest();
-  bench.run_for(30);
-  EXPECT_EQ(bench.control.mode(), Mode::external_data);
-  EXPECT_FALSE(bench.control.armed());
-}
-
-TEST_F(Release, ARefusedStartLeavesIt) {
-  bench.keys("START");
-  bench.remote_refusal = "Nein.";
-  say("P0001N005*");
-  EXPECT_TRUE(bench.control.armed());
-}
-
-TEST_F(Release, DEC_27_AsksForTheZeroWhereTheProgramMeasuresFromIt) {
-  bench.keys("START CLEAR 8 START");
-  EXPECT_FALSE(bench.control.armed());
-  EXPECT_THAT(bench.row(18), HasSubstr("stimmt der Nullpunkt"));
-  bench.keys("START");
-  EXPECT_TRUE(bench.control.armed());
-  say("P0008N001*");
-  EXPECT_TRUE(bench.control.is_running());
-}
-
-TEST_F(Release, AUTH_008_WhatWouldBeReleasedIsPartOfTheSituation) {
-  EXPECT_EQ(bench.control.situation().program, 1);
-  say("P0007N001G04H0001\0"sv);
-  EXPECT_EQ(bench.control.situation().program, 7) << "a START pressed before is stale";
-}
-
-TEST_F(Release, DEC_39_TheMemoryIsNotErasedOnTheLabMachine) {
-  const std::string before = memory();
-  heard();
-  say("#!");
-  EXPECT_EQ(memory(), before);
-  EXPECT_THAT(heard(), testing::EndsWith("F%"));
 }
 
 TEST_F(Remote, AtATrainingMachineThereIsNothingToRelease) {
