@@ -1,5 +1,6 @@
 // A cassette at a real station: made and put in behind key LABOR, written, and read again after the server was killed
-// (DEC-33, EXT-010 to EXT-026, SYS-019).
+// (DEC-33, EXT-010 to EXT-026, SYS-019). It takes as long as the tape does: a dozen seconds are wound, written and
+// played.
 #include <gmock/gmock.h>
 
 #include "harness/monitor.hpp"

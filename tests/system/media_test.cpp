@@ -101,7 +101,8 @@ TEST_F(Media, DEC_57_WhatIsNotWholeAndRightChangesNothing) {
   } kRows[] = {
       {"a block that is none", "P0001N001G00X+1\nN002G77\n%\n", "P0001 N002"},
       {"too much for the memory", "", "Speicher voll"},
-      {"nothing in it", "hallo\n", "P0001N001"},
+      {"small letters (DEC-30)", "hallo\n", "Kleinbuchstabe h"},
+      {"nothing in it", "%\n", "P0001N001"},
   };
   for (const auto& row : kRows) {
     std::string text = row.text;
