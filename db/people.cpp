@@ -55,6 +55,10 @@ void Database::set_language(PersonId id, const std::string& language) {
   Query(*statements_, "UPDATE person SET language = ?2 WHERE id = ?1", id, language).run();
 }
 
+void Database::set_model(PersonId id, const std::string& model) {
+  Query(*statements_, "UPDATE person SET model = ?2 WHERE id = ?1", id, model).run();
+}
+
 void Database::set_last_seen(PersonId id, std::int64_t now_ms) {
   Query(*statements_, "UPDATE person SET last_seen_ms = ?2 WHERE id = ?1", id, now_ms).run();
 }

@@ -87,6 +87,7 @@ class Console {
   void student_remove(const Reply& reply, const v1::StudentName& request) const;
   void student_restore(const Reply& reply, const v1::StudentName& request) const;
   void student_rename(const Reply& reply, const v1::StudentRename& request) const;
+  void student_set(const Reply& reply, const v1::StudentSettings& request) const;
   void student_password(const Reply& reply, const v1::StudentName& request) const;
   struct Import;
   void hash_next(const Reply& reply, const std::shared_ptr<Import>& import) const;

@@ -52,6 +52,7 @@ const Console::Row Console::kRows[] = {
     {R::kStudentRemove, Row::with<&Console::student_remove, &R::student_remove>},
     {R::kStudentRestore, Row::with<&Console::student_restore, &R::student_restore>},
     {R::kStudentRename, Row::with<&Console::student_rename, &R::student_rename>},
+    {R::kStudentSet, Row::with<&Console::student_set, &R::student_set>},
     {R::kStudentPassword, Row::with<&Console::student_password, &R::student_password>},
     {R::kImport, Row::with<&Console::import, &R::import>},
     {R::kExport, Row::bare<&Console::export_roster>},

@@ -186,6 +186,29 @@ void Console::student_rename(const Reply& reply, const v1::StudentRename& reques
       });
 }
 
+/// Model and language; a control that is at work keeps its model until the next log-in (DEC-08, MODEL).
+void Console::student_set(const Reply& reply, const v1::StudentSettings& request) const {
+  const auto is_one_of = [](const std::string& value, std::initializer_list<std::string_view> allowed) {
+    return value.empty() || std::ranges::find(allowed, value) != allowed.end();
+  };
+  if (!is_one_of(request.model(), {"3300", "3250", "lab"}) || !is_one_of(request.language(), {"de", "en", "lab"}))
+    return send_error(reply, lab_.say(reply.tongue, "Modelle: 3300, 3250, lab. Sprachen: de, en, lab.",
+                                      "Models: 3300, 3250, lab. Languages: de, en, lab."));
+  ask_store(
+      reply,
+      [name = request.name(), model = request.model(), language = request.language()](db::Database& database) {
+        const db::Person person = person_named(database, name);
+        if (!model.empty()) database.set_model(person.id, model == "lab" ? "" : model);
+        if (!language.empty()) database.set_language(person.id, language == "lab" ? "" : language);
+        return true;
+      },
+      [reply, name = request.name(), model = request.model(), language = request.language()](const Console& console,
+                                                                                             bool) {
+        console.lab_.write_journal("student_set", name + " " + model + " " + language, 0, reply.visit->person.name);
+        console.send_done(reply, name);
+      });
+}
+
 void Console::student_password(const Reply& reply, const v1::StudentName& request) const {
   const std::string password = one_time_password();
   with_hash(reply, password, [&lab = lab_, reply, password, name = request.name()](const std::string& hash) {

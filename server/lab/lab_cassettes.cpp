@@ -51,13 +51,13 @@ void Lab::save_cassette(const DeskPtr& desk) {
               time = clock_.unix_ms()](db::Database& database) { database.put_tape(person, id, tape, time); },
              [this, alive = alive_, weak = std::weak_ptr(desk)](const std::expected<void, db::StoreError>& result) {
                if (result) return;
-               spdlog::error("cassette not stored: {}", result.error().text);
+               spdlog::error("cassette not stored: {}", result.error().detail);
                const DeskPtr owner = weak.lock();
                if (!*alive || !owner) return;
                owner->cassettes.is_changed = true;  // with the next state, when there may be room again
-               note(*owner,
-                    say(tongue_of(owner->person), "Die Kassette ist nicht gesichert: ", "The cassette is not saved: ") +
-                        result.error().text);
+               const auto tongue = tongue_of(owner->person);
+               note(*owner, say(tongue, "Die Kassette ist nicht gesichert: ", "The cassette is not saved: ") +
+                                sentence_for(result.error(), tongue));
              });
 }
 
@@ -72,7 +72,7 @@ void Lab::change_cassettes(const DeskPtr& desk, std::function<bool(db::Database&
       [this, alive = alive_, weak = std::weak_ptr(desk), refusal](const std::expected<Answer, db::StoreError>& answer) {
         const DeskPtr owner = weak.lock();
         if (!*alive || !owner) return;
-        if (!answer) return note(*owner, answer.error().text);
+        if (!answer) return note(*owner, sentence_for(answer.error(), tongue_of(owner->person)));
         if (!answer->first) note(*owner, refusal);
         owner->cassettes.list = answer->second;
         cassettes_changed(owner);
@@ -98,7 +98,7 @@ void Lab::change_recorder(const DeskPtr& desk, std::optional<db::CassetteId> nex
       [this, alive = alive_, weak = std::weak_ptr(desk)](const std::expected<StoredCassettes, db::StoreError>& stored) {
         const DeskPtr owner = weak.lock();
         if (!*alive || !owner) return;
-        if (!stored) return note(*owner, stored.error().text);
+        if (!stored) return note(*owner, sentence_for(stored.error(), tongue_of(owner->person)));
         owner->control.press_recorder(panel::Control::RecorderKey::stop, now(*owner));
         owner->control.eject_cassette();
         owner->cassettes.inserted.reset();

@@ -104,7 +104,7 @@ void Lab::choose_language(const DeskPtr& desk, language::Tongue tongue) {
   store_.run([id = desk->person.id, language](db::Database& database) { database.set_language(id, language); },
              [this, weak = std::weak_ptr(desk), alive = alive_](const std::expected<void, db::StoreError>& result) {
                const DeskPtr owner = weak.lock();
-               if (*alive && owner && !result) note(*owner, result.error().text);
+               if (*alive && owner && !result) note(*owner, sentence_for(result.error(), tongue_of(owner->person)));
              });
 }
 

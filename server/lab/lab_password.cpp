@@ -76,9 +76,11 @@ void Lab::keep_password(const VisitPtr& visit, const std::string& wish, std::fun
                [this, visit, hash, kept, alive](const std::expected<void, db::StoreError>& result) {
                  visit->is_changing_password = false;
                  if (!*alive || visit->stage == Stage::gone) return;
-                 if (!result && visit->stage == Stage::checking)
-                   return refuse(visit, v1::LOGIN_RESULT_REFUSED, result.error().text);
-                 if (!result) return answer_password(visit, v1::LOGIN_RESULT_REFUSED, result.error().text);
+                 if (!result) {
+                   const std::string why = sentence_for(result.error(), tongue_of(visit->person));
+                   if (visit->stage == Stage::checking) return refuse(visit, v1::LOGIN_RESULT_REFUSED, why);
+                   return answer_password(visit, v1::LOGIN_RESULT_REFUSED, why);
+                 }
                  visit->person.password_hash = hash;
                  visit->person.must_change = false;
                  write_journal("password_changed", "", 0, visit->person.name);

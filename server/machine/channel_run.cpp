@@ -22,7 +22,10 @@ const geometry::Point* start_of(const motion::Segment& segment) {
 }  // namespace
 
 void ChannelTick::run_tick(double tick_s, const motion::Demand& demand) noexcept {
-  if (run_.waiting != Waiting::no && wait_tick(tick_s)) return;
+  if (run_.waiting != Waiting::no) {
+    follower_.choose_rest(demand.single_block);
+    if (wait_tick(tick_s)) return;
+  }
   double left_s = tick_s;
   for (int events = 0; events < kMostEventsPerTick && activity_ == Activity::run; ++events) {
     anchor_path();

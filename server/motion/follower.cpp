@@ -277,11 +277,15 @@ void Follower::place_on_path() noexcept {
   if (way_ > 0 && segment != nullptr) position_ = point_on(*segment, way_);
 }
 
+void Follower::choose_rest(bool single_block) noexcept {
+  if (!single_block) forget_hold();
+  if (single_block && !hold_.is_chosen) seek_hold();
+}
+
 Advance Follower::advance(double time_s, const Demand& demand) noexcept {
   Advance done;
   done.left_s = time_s;
-  if (!demand.single_block) forget_hold();
-  if (demand.single_block && !hold_.is_chosen) seek_hold();
+  choose_rest(demand.single_block);
   if (demand.override_ratio < 1) extend_free_row();
   for (int pieces = 0; pieces < kMostPieces && done.left_s > 0 && !done.held; ++pieces) {
     const Segment* segment = current();

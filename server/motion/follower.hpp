@@ -48,6 +48,8 @@ class Follower {
   /// Moves on by `time_s`: the whole tick, or what an event left of it. Events are not passed: the machine executes the
   /// front event, calls `pass_event` and then this again with `left_s`.
   Advance advance(double time_s, const Demand& demand) noexcept;
+  /// Single block was switched on or off, maybe while an event lasts: where does it rest? `advance` asks by itself.
+  void choose_rest(bool single_block) noexcept;
   /// The front event was done. True when single block rests behind it.
   bool pass_event() noexcept;
 

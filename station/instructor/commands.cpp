@@ -227,12 +227,30 @@ void add_student_add(Table& student) {
   add.add_option("--language", *language, "language")->check(CLI::IsMember({"de", "en"}));
 }
 
+void add_student_set(Table& student) {
+  const auto name = value<std::string>();
+  const auto model = value<std::string>();
+  const auto language = value<std::string>();
+  auto& set =
+      student.add("set", "sets model and language from the next log-in on; lab: as the lab has them", [=](Command& c) {
+        auto* request = c.request.mutable_student_set();
+        request->set_name(*name);
+        request->set_model(*model);
+        request->set_language(*language);
+      });
+  needed(set, "name", name, "login name");
+  set.add_option("--model", *model, "model of the control")->check(CLI::IsMember({"3300", "3250", "lab"}));
+  set.add_option("--language", *language, "language")->check(CLI::IsMember({"de", "en", "lab"}));
+  set.require_option(2, 0);  // the name and at least one of them
+}
+
 void add_roster(Table& table) {
   table.add("passwd", "changes the own password; the new one from --new-password-file",
             [](Command& c) { c.changes_own_password = true; });
   table.add("students", "everybody on the roster", [](Command& c) { c.request.mutable_students(); });
   Table student = table.group("student", "changes the roster");
   add_student_add(student);
+  add_student_set(student);
   const auto removed = value<std::string>();
   const auto erase = value(false);
   auto& remove = student.add("remove", "archives somebody for 30 days", [=](Command& c) {

@@ -126,6 +126,19 @@ TEST(ChannelRun, G040DwellTakesItsTimeAndIsKeptThroughStop) {
   EXPECT_NEAR(ticks, 600, 3);
 }
 
+TEST(ChannelRun, KEY045EinzelsatzPressedInADwellRestsBehindIt) {
+  ChannelRig rig;
+  Items items;
+  items.add(geometry::Dwell{1.0}).add(geometry::Dwell{1.0}).add(geometry::End{});
+  rig.run(items);
+  rig.tick(400);
+  rig.channel.set_single_block(true);
+  int ticks = 0;
+  while (rig.tick().started) ++ticks;
+  EXPECT_NEAR(ticks, 600, 3);
+  EXPECT_EQ(rig.channel.snapshot().cause, StopCause::single_block);
+}
+
 struct EventRow {
   const char* name;
   std::vector<geometry::PathItem> items;

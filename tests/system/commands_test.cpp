@@ -57,6 +57,16 @@ TEST_F(Commands, INS_004_a_renamed_student_logs_in_by_the_new_name_with_all_prog
   EXPECT_EQ(must({"program", "show", "anne", "P0001"}).output, "P0001\nN001G00X+1000\n%\n");
 }
 
+TEST_F(Commands, DEC_08_a_student_has_the_model_and_the_language_that_the_instructor_has_set) {
+  room_.add_student("anna");
+  must({"student", "set", "anna", "--model", "3250", "--language", "en"});
+  StationProcess anna = room_.seat(1, "anna");
+  EXPECT_TRUE(anna.shows("CNC 3250")) << anna.text();
+  EXPECT_TRUE(anna.shows("all keys")) << anna.text();
+  EXPECT_EQ(ask({"student", "set", "nobody", "--model", "3300"}).exit_code, 1);
+  EXPECT_EQ(ask({"student", "set", "anna"}).exit_code, 2);
+}
+
 TEST_F(Commands, INS_003_programs_are_sent_to_all_and_collected_from_all) {
   room_.add_student("anna");
   room_.add_student("otto");
