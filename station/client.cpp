@@ -122,6 +122,7 @@ asio::awaitable<std::expected<v1::Welcome, ConnectError>> exchange_hello(asio::s
   hello.set_version(kProtocolVersion);
   hello.set_kind(static_cast<v1::ClientKind>(client_kind));
   hello.set_software("cnclab " CNCLAB_VERSION);
+  hello.set_takes_parts(true);
   co_await write_message(stream, message);
   const v1::ServerMessage answer = co_await read_message(stream);
   if (answer.has_bye())

@@ -68,6 +68,7 @@ void Lab::greet(const VisitPtr& visit, const v1::ClientMessage& message) {
     visit->peer->send(answer);
     if (!known) return hang_up(visit, "protocol version " + std::to_string(hello.version()));
     visit->kind = hello.kind();
+    if (hello.takes_parts()) visit->row_form = RowForm::changed_part;
     visit->stage = Stage::login;
     return;
   }

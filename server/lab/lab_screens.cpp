@@ -79,7 +79,7 @@ void Lab::present(const DeskPtr& desk, int beeps) {
 }
 
 void Lab::push(const VisitPtr& visit) {
-  auto update = visit->feed.next();
+  auto update = visit->feed.next(visit->row_form);
   if (!update) return;
   v1::ServerMessage message;
   *message.mutable_screen() = std::move(*update);

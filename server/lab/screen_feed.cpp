@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include "shared/screen_wire.hpp"
-
 namespace cnclab::lab {
 
 void ScreenFeed::offer(const View& view, int beeps) {
@@ -12,11 +10,11 @@ void ScreenFeed::offer(const View& view, int beeps) {
   beeps_ += beeps;
 }
 
-std::optional<v1::ScreenUpdate> ScreenFeed::next() {
+std::optional<v1::ScreenUpdate> ScreenFeed::next(RowForm form) {
   if (in_flight_ || (newest_ == acknowledged_ && beeps_ == 0)) return std::nullopt;
   v1::ScreenUpdate update;
   update.set_number(++number_);
-  write_rows(acknowledged_.screen, newest_.screen, update);
+  write_rows(acknowledged_.screen, newest_.screen, update, form);
   update.set_handled_key(newest_.handled_key);
   update.set_state(newest_.state);
   update.set_beeps(static_cast<std::uint32_t>(std::exchange(beeps_, 0)));

@@ -7,6 +7,7 @@
 
 #include "cnclab/v1/screen.pb.h"
 #include "shared/screen.hpp"
+#include "shared/screen_wire.hpp"
 
 namespace cnclab::lab {
 
@@ -24,7 +25,7 @@ class ScreenFeed {
   /// Replaces what waits; beeps add up.
   void offer(const View& view, int beeps);
   /// The next update to send, or nothing while one is unacknowledged or nothing changed.
-  [[nodiscard]] std::optional<v1::ScreenUpdate> next();
+  [[nodiscard]] std::optional<v1::ScreenUpdate> next(RowForm form = RowForm::whole);
   /// False for a number that was never sent: the peer does not keep to the protocol.
   [[nodiscard]] bool acknowledge(std::uint64_t number);
   /// An update is on its way.

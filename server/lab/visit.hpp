@@ -33,6 +33,7 @@ struct Visit {
   std::shared_ptr<Peer> peer;
   Stage stage = Stage::greeting;
   v1::ClientKind kind = v1::CLIENT_KIND_UNSPECIFIED;
+  RowForm row_form = RowForm::whole;  ///< how its screens travel
   std::int64_t opened_ns = 0, heard_ns = 0, last_beat_ns = 0;
   db::Person person;                  ///< from a correct password on
   v1::Login login;                    ///< what was asked for; the password is wiped once it is compared

@@ -39,6 +39,7 @@ class Typist {
     v1::ClientMessage hello, login;
     hello.mutable_hello()->set_version(kProtocolVersion);
     hello.mutable_hello()->set_kind(v1::CLIENT_KIND_STATION);
+    hello.mutable_hello()->set_takes_parts(true);
     line_.send(hello);
     login.mutable_login()->set_user(user);
     login.mutable_login()->set_password(password);

@@ -32,6 +32,19 @@ TEST(ScreenWire, OnlyChangedRowsTravel) {
   EXPECT_EQ(update.rows_size(), 0);
 }
 
+TEST(ScreenWire, APartOfARowBringsOnlyTheCellsThatDiffer) {
+  Screen old_screen, new_screen;
+  old_screen.write(3, 51, "X  +0085.000");
+  new_screen.write(3, 51, "X  +0085.120");
+  v1::ScreenUpdate update;
+  write_rows(old_screen, new_screen, update, RowForm::changed_part);
+  ASSERT_EQ(update.rows_size(), 1);
+  EXPECT_EQ(update.rows(0).first_column(), 60U);
+  ASSERT_EQ(update.rows(0).spans_size(), 1);
+  EXPECT_EQ(update.rows(0).spans(0).text(), "12");
+  EXPECT_EQ(apply_rows(old_screen, update), new_screen);
+}
+
 TEST(ScreenWire, RefusesWhatDoesNotFitAndNamesIt) {
   struct Case {
     const char* name;
@@ -59,6 +72,24 @@ TEST(ScreenWire, RefusesWhatDoesNotFitAndNamesIt) {
          add_row(u, 0, text);
        },
        "40 columns"},
+      {"a part without cells",
+       [](auto& u) {
+         u.add_rows()->set_index(7);
+         u.mutable_rows(0)->set_first_column(80);
+       },
+       "row 7"},
+      {"a part behind the end",
+       [](auto& u) {
+         add_row(u, 8, "x");
+         u.mutable_rows(0)->set_first_column(80);
+       },
+       "row 8"},
+      {"a part that begins nowhere",
+       [](auto& u) {
+         add_row(u, 9, "x");
+         u.mutable_rows(0)->set_first_column(0xFFFFFFFFU);
+       },
+       "row 9"},
   };
   Screen base;
   base.write(0, 0, "stays");
@@ -97,7 +128,7 @@ RC_GTEST_PROP(ScreenWire, ADifferenceAppliedGivesTheNewerScreen, ()) {
   const Screen older = *any_screen();
   const Screen newer = *any_screen();
   v1::ScreenUpdate sent;
-  write_rows(older, newer, sent);
+  write_rows(older, newer, sent, *rc::gen::element(RowForm::whole, RowForm::changed_part));
   v1::ScreenUpdate received;
   RC_ASSERT(received.ParseFromString(sent.SerializeAsString()));
   const auto applied = apply_rows(older, received);
