@@ -107,6 +107,20 @@ program::Start start_of(const Json& json) {
   return start;
 }
 
+Json tools_json(const machine::ToolList& tools) {
+  Json list = Json::object();
+  for (const auto& [number, tool] : tools.tools()) list[std::to_string(number)] = {tool.radius_mm, tool.length_mm};
+  return {{"in_spindle", tools.in_spindle()}, {"list", list}};
+}
+
+machine::ToolList tools_of(const Json& json) {
+  machine::ToolList tools;
+  tools.set_in_spindle(json.at("in_spindle"));
+  for (const auto& [number, tool] : json.at("list").items())
+    tools.put(std::stoi(number), {tool.at(0).get<double>(), tool.at(1).get<double>()});
+  return tools;
+}
+
 std::vector<std::string> texts_of(const language::Program& program) {
   std::vector<std::string> texts;
   for (const language::Block& block : program.blocks) texts.push_back(language::write_block(block));
@@ -162,6 +176,8 @@ Json order_json(const panel::RunOrder& order, db::Database& database, db::Person
   json["io_cards"] = order.io_cards;
   json["rests_accumulate"] = order.rests_accumulate;
   json["is_single_function"] = order.is_single_function;
+  if (order.machine_mm) json["machine_mm"] = *order.machine_mm;
+  if (order.tools) json["tools"] = tools_json(*order.tools);
   json["versions"] = json["texts"] = Json::object();
   std::map<int, db::StoredProgram> stored;
   for (auto& program : database.programs(person)) stored.emplace(program.number, std::move(program));
@@ -189,6 +205,8 @@ std::expected<panel::RunOrder, std::string> order_of(const Json& json, db::Datab
     order.io_cards = json.value("io_cards", order.io_cards);
     order.rests_accumulate = json.value("rests_accumulate", false);
     order.is_single_function = json.value("is_single_function", false);
+    if (json.contains("machine_mm")) order.machine_mm = json.at("machine_mm").get<std::array<double, 3>>();
+    if (json.contains("tools")) order.tools = tools_of(json.at("tools"));
     order.programs = programs_of(json, database, person);
     const language::Program* const first = order.programs.find(order.start.program);
     if (first == nullptr || !first->find(order.start.block))
