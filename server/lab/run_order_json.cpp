@@ -94,10 +94,16 @@ Json start_json(const program::Start& start) {
           {"parameters", parameters_json(parameters)}};
 }
 
+/// The line of HANDEINGABE runs under a number that no stored program can have.
+std::uint16_t last_program(const Json& json) {
+  const bool is_line = json.value("is_single_function", false);
+  return static_cast<std::uint16_t>(language::kLastProgram + (is_line ? 1 : 0));
+}
+
 program::Start start_of(const Json& json) {
   program::Start start;
   auto& [program, block, position, modal, parameters, compensation] = start;
-  program = number_in<std::uint16_t>(json, "program", 0, language::kLastProgram);
+  program = number_in<std::uint16_t>(json, "program", 0, last_program(json));
   block = number_in<std::uint16_t>(json, "block", 0, language::kLastBlock);
   const auto place = json.at("position").get<std::array<double, 4>>();
   position = {place[0], place[1], place[2], place[3]};
@@ -143,22 +149,22 @@ language::Program program_of(std::uint16_t number, const std::vector<std::string
   return program;
 }
 
-std::uint16_t program_number(const std::string& key) {
+std::uint16_t program_number(const std::string& key, std::uint16_t last) {
   const unsigned long number = std::stoul(key);
-  if (number > language::kLastProgram) throw std::runtime_error("P" + key);
+  if (number > last) throw std::runtime_error("P" + key);
   return static_cast<std::uint16_t>(number);
 }
 
 program::ProgramSet programs_of(const Json& json, db::Database& database, db::PersonId person) {
   program::ProgramSet programs;
   for (const auto& [key, version] : json.at("versions").items()) {
-    const std::uint16_t number = program_number(key);
+    const std::uint16_t number = program_number(key, language::kLastProgram);
     const auto texts = database.program_at(person, number, version);
     if (!texts) throw std::runtime_error(fmt::format("P{:04} version {}", number, version.get<int>()));
     programs.put(program_of(number, *texts));
   }
   for (const auto& [key, texts] : json.at("texts").items()) {
-    const std::uint16_t number = program_number(key);
+    const std::uint16_t number = program_number(key, last_program(json));
     programs.put(program_of(number, texts));
   }
   return programs;
