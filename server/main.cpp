@@ -60,6 +60,13 @@ void log_to_stderr(const std::string& level) {
   spdlog::set_level(spdlog::level::from_str(level));
 }
 
+/// Without them the beat may come late: the instructor is to know before a machine moves.
+void log_privileges(const machine::TickThread& ticks) {
+  if (ticks.is_real_time() && ticks.has_locked_memory()) return spdlog::info("tick: {}", ticks.privileges());
+  spdlog::warn("tick: {}: ticks may come late on a busy computer; see docs/administration.md, real-time",
+               ticks.privileges());
+}
+
 /// Ends the loop once the machine rests, at latest after 4 s (the promise is 5 s).
 void stop_when_at_rest(asio::io_context& loop, net::Server& server, lab::Lab& lab, asio::steady_timer& timer,
                        int tries) {
@@ -134,7 +141,7 @@ int serve(const lab::Configuration& configuration) {
 
   const db::Post post = [&loop](std::function<void()> job) { asio::post(loop, std::move(job)); };
   machine::TickThread ticks;
-  spdlog::info("tick: {}", ticks.privileges());
+  log_privileges(ticks);
   db::Store store(std::move(folder->database), post);
   lab::Lab lab(configuration, store, ticks, post, lab::system_clock(), folder->inheritance);
   (*server)->serve(lab);

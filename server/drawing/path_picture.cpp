@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "drawing/projection.hpp"
+#include "machine/workpiece.hpp"
 
 namespace cnclab::drawing {
 
@@ -195,10 +196,13 @@ class Drawing {
 
 Picture path_picture(const Traces& traces, const PictureOptions& options) { return Drawing(traces, options).picture(); }
 
+Box workpiece_under(const geometry::Point& start, const std::array<double, 3>& size_mm) {
+  const auto& [x, y, z] = size_mm;
+  return {.low = {start.x - x / 2, start.y - y / 2, -z}, .high = {start.x + x / 2, start.y + y / 2, 0}};
+}
+
 Box standard_workpiece(const geometry::Point& start) {
-  constexpr double kX_mm = 120, kY_mm = 80, kZ_mm = 30;
-  return {.low = {start.x - kX_mm / 2, start.y - kY_mm / 2, -kZ_mm},
-          .high = {start.x + kX_mm / 2, start.y + kY_mm / 2, 0}};
+  return workpiece_under(start, machine::WorkpieceSpec{}.size_mm);
 }
 
 }  // namespace cnclab::drawing

@@ -1,6 +1,7 @@
 // A drawing of a tool path: ways and arcs, rapids dashed, workpiece, axes in mm, start and end.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
@@ -34,7 +35,9 @@ struct PictureOptions {
 /// The whole drawing. An empty path gives the workpiece, or an empty frame.
 [[nodiscard]] Picture path_picture(const Traces& traces, const PictureOptions& options);
 
-/// The workpiece of the simulated machine: 120 × 80 × 30 mm, centred under the start, its top at Z = 0 (DEC-24).
+/// The workpiece of the simulated machine, centred under the start, its top at Z = 0 (DEC-24). size_mm   X Y Z
+[[nodiscard]] Box workpiece_under(const geometry::Point& start, const std::array<double, 3>& size_mm);
+/// The usual one: 120 × 80 × 30 mm.
 [[nodiscard]] Box standard_workpiece(const geometry::Point& start);
 
 }  // namespace cnclab::drawing

@@ -73,6 +73,7 @@ void Console::status(const Reply& reply) const {
   const auto ticks = lab_.ticks_.statistics();
   status.mutable_ticks()->set_late(static_cast<double>(ticks.late));
   status.mutable_ticks()->set_longest_ms(static_cast<double>(ticks.longest_delay_ns) / 1e6);
+  status.mutable_ticks()->set_stalls(static_cast<double>(lab_.watchdog_.stalls()));
   std::vector<Lab::DeskPtr> desks;
   for (const auto& [id, desk] : lab_.desks_) desks.push_back(desk);
   std::ranges::sort(desks, {}, [](const auto& desk) { return desk->station; });
@@ -128,17 +129,17 @@ void Console::remote(const Reply& reply, const v1::SetRemote& request) const {
 }
 
 void Console::machine_data(const Reply& reply, const v1::ChangeMachineData& request) const {
+  const machine::MachineData newest = lab_.machine_data_due_.value_or(lab_.machine_data_);
   if (request.data().empty()) {
     Items items;
-    for (const auto& form : machine::datum_forms())
-      items.push_back(datum_item(form.number, lab_.machine_data_.get(form.number)));
+    for (const auto& form : machine::datum_forms()) items.push_back(datum_item(form.number, newest.get(form.number)));
     return send(reply, items);
   }
   if (lab_.authority_.phase() != Phase::nobody)
     return send_error(reply,
                       lab_.say(reply.tongue, "Maschinendaten lassen sich nur ändern, wenn kein Platz die Maschine hat.",
                                "Machine data can be changed only while no station has the machine."));
-  machine::MachineData wished = lab_.machine_data_;
+  machine::MachineData wished = newest;
   for (const auto& datum : request.data())
     if (const auto set = wished.set(static_cast<int>(datum.number()), datum.value()); !set)
       return send_error(reply, fmt::format("{:02}={}: {}", datum.number(), datum.value(), set.error()));
@@ -158,8 +159,7 @@ void Console::machine_data(const Reply& reply, const v1::ChangeMachineData& requ
         return true;
       },
       [reply, wished](const Console& console, bool) {
-        console.lab_.machine_data_ = wished;
-        static_cast<void>(console.lab_.channel_->set_data(wished));
+        console.lab_.use_machine_data(wished);
         console.send_done(reply);
       });
 }
@@ -180,7 +180,7 @@ void Console::tools(const Reply& reply, const v1::SetTools& request) const {
     return send_error(reply, lab_.say(reply.tongue, "Die Datei muss genau das Programm P0000 enthalten.",
                                       "The file must hold the program P0000 and no other."));
   store_value(reply, "tools", language::write_program(tape.programs.front().program),
-              [](Lab& lab, const std::string& text) { lab.tools_ = text; });
+              [](Lab& lab, const std::string& text) { lab.use_tools(text); });
 }
 
 void Console::workpiece(const Reply& reply, const v1::SetWorkpiece& request) const {
@@ -196,7 +196,7 @@ void Console::workpiece(const Reply& reply, const v1::SetWorkpiece& request) con
     return send_error(reply, lab_.say(reply.tongue, "Ein Werkstück hat Kanten von 1 bis 1000 mm.",
                                       "A workpiece has edges of 1 to 1000 mm."));
   store_value(reply, "workpiece", fmt::format("{} {} {}", size_mm[0], size_mm[1], size_mm[2]),
-              [size_mm](Lab& lab, const std::string&) { lab.workpiece_mm_ = size_mm; });
+              [size_mm](Lab& lab, const std::string&) { lab.use_workpiece(size_mm); });
 }
 
 void Console::store_value(const Reply& reply, const std::string& key, const std::string& value,

@@ -24,33 +24,45 @@ std::optional<std::int64_t> parse_since(const std::string& text) {
   return std::nullopt;
 }
 
+/// As a run's setup keeps them. Twice: F START/STOP may not exceed F MAX, in whichever order they come.
+machine::MachineData machine_data_of(const nlohmann::json& json) {
+  machine::MachineData data;
+  for (int pass = 0; pass < 2; ++pass)
+    for (const auto& [datum, value] : json.items()) static_cast<void>(data.set(std::stoi(datum), value));
+  return data;
+}
+
 /// Everything that a replay needs, or why it cannot be.
 RecordedRun recorded(db::Database& database, std::int64_t number) {
   const auto record = database.run(number);
   if (!record) throw Refusal{fmt::format("Lauf {} gibt es nicht.", number), fmt::format("There is no run {}.", number)};
   if (record->digest.empty())
     throw Refusal{
-        fmt::format("Lauf {} ist nicht zum Wiederholen aufgezeichnet (Handbetrieb, oder noch nicht zu Ende).", number),
-        fmt::format("Run {} is not recorded for replay (manual motion, or not over yet).", number)};
+        fmt::format("Lauf {} ist nicht zum Wiederholen aufgezeichnet (noch nicht zu Ende, oder zu lang).", number),
+        fmt::format("Run {} is not recorded for replay (not over yet, or too long).", number)};
   const auto setup = nlohmann::json::parse(record->setup, nullptr, false);
   const auto unreadable = [&](const std::string& what) {
     return Refusal{fmt::format("Lauf {}: nicht lesbar: {}", number, what),
                    fmt::format("Run {}: cannot be read: {}", number, what)};
   };
-  if (!setup.is_object() || !setup.contains("order")) throw unreadable("setup");
-  auto order = order_of(setup["order"], database, record->person);
+  const bool by_hand = setup.is_object() && setup.contains("hand");
+  if (!by_hand && (!setup.is_object() || !setup.contains("order"))) throw unreadable("setup");
+  std::expected<panel::RunOrder, std::string> order;
+  if (by_hand)
+    order->data = machine_data_of(setup["hand"].at("data"));
+  else
+    order = order_of(setup["order"], database, record->person);
   if (!order) throw unreadable(order.error());
   RecordedRun run{.order = std::move(*order),
+                  .hand_istwert_mm =
+                      by_hand ? std::optional(setup["hand"].at("istwert").get<std::array<double, 4>>()) : std::nullopt,
                   .is_lab_machine = record->machine == "lab",
-                  .machine_data = {},
+                  .machine_data = machine_data_of(setup.at("machine_data")),
                   .steps = setup.value("steps", std::array<std::int64_t, 4>{}),
                   .events = database.run_events(number),
                   .ticks = static_cast<std::uint64_t>(record->ticks),
                   .digest = record->digest,
                   .trace = trace_steps(database.trace(number))};
-  for (int pass = 0; pass < 2; ++pass)
-    for (const auto& [datum, value] : setup.at("machine_data").items())
-      static_cast<void>(run.machine_data.set(std::stoi(datum), value));
   return run;
 }
 
@@ -95,12 +107,14 @@ void Console::run_trace(const Reply& reply, const v1::RunName& request) const {
         if (trace.empty())
           throw Refusal{fmt::format("Von Lauf {} gibt es keine Spur.", run),
                         fmt::format("There is no trace of run {}.", run)};
-        return trace;
+        const auto record = database.run(run);
+        const auto setup = nlohmann::json::parse(record ? record->setup : "", nullptr, false);
+        const bool has_data = setup.is_object() && setup.contains("machine_data");
+        const auto limits =
+            machine::motion_limits(has_data ? machine_data_of(setup["machine_data"]) : machine::MachineData{});
+        return trace_csv(trace, limits.steps_per_mm);
       },
-      [reply](const Console& console, const std::string& packed) {
-        const auto limits = machine::motion_limits(console.lab_.machine_data_);
-        console.send_file(reply, trace_csv(packed, limits.steps_per_mm));
-      });
+      [reply](const Console& console, const std::string& csv) { console.send_file(reply, csv); });
 }
 
 void Console::run_replay(const Reply& reply, const v1::RunName& request) const {

@@ -19,6 +19,7 @@
 #include "machine/channel.hpp"
 #include "machine/simulated_machine.hpp"
 #include "machine/tick_thread.hpp"
+#include "machine/workpiece_thread.hpp"
 #include "panel/control.hpp"
 
 namespace cnclab::lab {
@@ -37,9 +38,10 @@ struct Input {
 
 /// A control lives here from login until log-out, or `keep_minutes` after its line broke (SEAT-004).
 struct Desk {
-  /// Takes part in the tick from now on; throws std::runtime_error when the tick has no place left.
+  /// Takes part in the tick from now on, and its workpiece in the cutting; throws std::runtime_error when the tick has
+  /// no place left. ticks, workpieces, store   outlive the desk
   Desk(db::Person person, panel::Settings settings, panel::Memory memory, const machine::MachineData& data,
-       machine::TickThread& ticks, db::Store& store);
+       machine::TickThread& ticks, machine::WorkpieceThread& workpieces, db::Store& store);
   ~Desk();
   Desk(const Desk&) = delete;
   Desk& operator=(const Desk&) = delete;
@@ -48,6 +50,16 @@ struct Desk {
   void connect_training();
   /// Training runs stop when the connection ends.
   void stop_training();
+  /// No tick and no cutting touches the training machine any more. The lab says so before it forgets the desk: whoever
+  /// drops it last, perhaps on another thread, may outlive ticks and workpieces.
+  void leave_machines();
+  /// The training machine takes up machine data that the student has changed, as soon as it stands still. To be called
+  /// again and again.
+  void settle_machine_data();
+  /// From the next program start and graphic test on (DEC-24).
+  void set_workpiece(const machine::WorkpieceSpec& spec);
+  /// What the tool of the training machine did wrong since the last call.
+  [[nodiscard]] std::vector<machine::MillingEvent> take_milling_news() { return site_->take_news(); }
 
   [[nodiscard]] bool is_seated() const { return !visit.expired(); }
   [[nodiscard]] const std::shared_ptr<machine::Channel>& training() const { return training_; }
@@ -98,6 +110,10 @@ struct Desk {
 
  private:
   machine::TickThread& ticks_;
+  machine::WorkpieceThread& workpieces_;
+  std::shared_ptr<machine::MillingSite> site_;  ///< outlives the channel's ticks
+  machine::MachineData machine_data_;           ///< that the training machine has
+  bool has_left_machines_ = false;
   machine::SimulatedMachine machine_;
   std::shared_ptr<machine::Channel> training_;
 };

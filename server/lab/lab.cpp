@@ -44,6 +44,12 @@ std::array<std::uint8_t, 2> output_lines(const std::vector<int>& numbers) {
   return cards;
 }
 
+/// Steps per mm of X, Y, Z.
+std::array<double, 3> zero_scale(const machine::MachineData& data) {
+  const auto per_mm = machine::motion_limits(data).steps_per_mm;
+  return {per_mm[0], per_mm[1], per_mm[2]};
+}
+
 }  // namespace
 
 Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& ticks, db::Post post, Clock clock,
@@ -60,11 +66,17 @@ Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& tic
       tools_(inheritance.tools),
       workpiece_mm_(inheritance.workpiece_mm.value_or(workpiece_of(configuration_))),
       backup_(inheritance.database, post_),
+      site_(workpieces_.add(workpiece())),
       machine_(machine_data_),
       channel_(std::make_shared<machine::Channel>(machine_, machine_data_)),
+      watchdog_(ticks, ticks.is_real_time() ? machine::Watchdog::kLimit : machine::Watchdog::kPatientLimit),
+      zeros_(zero_scale(machine_data_)),
       recorder_(store, channel_, RunRecorder::Keeps::trace) {
+  use_tools(tools_);
+  channel_->feed_cuts(&site_->feed());
   channel_->set_outputs_off_at_power_off(output_lines(configuration_.outputs_off_at_power_off));
   if (!ticks_.add(channel_)) throw std::runtime_error("the tick has no place for the lab's machine");
+  watchdog_.guard(channel_);
   remote_.fill(configuration_.remote);
   beats_.advance(clock_.monotonic_ns());
   keep_epoch();
@@ -73,6 +85,7 @@ Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& tic
 
 Lab::~Lab() {
   *alive_ = false;
+  for (const auto& [id, desk] : desks_) desk->leave_machines();
   desks_.clear();
   ticks_.remove(channel_);
 }
@@ -147,7 +160,9 @@ void Lab::farewell(const VisitPtr& visit, int exit_code, const std::string& text
 void Lab::poll() {
   const std::int64_t now_ns = clock_.monotonic_ns();
   send_beats(now_ns);
+  heed_watchdog();
   static_cast<void>(decide(Polled{}, configuration_.tongue));
+  settle_machine_data();
   const std::vector<DeskPtr> desks = [this] {
     std::vector<DeskPtr> all;
     all.reserve(desks_.size());
@@ -160,6 +175,8 @@ void Lab::poll() {
     watch_media(desk, now_ns);
     watch_recorder(desk);
     record_run(desk);
+    tell_milling(desk);
+    desk->settle_machine_data();
     if (!desk->is_seated() && now_ns >= desk->keep_until_ns) dismiss(desk);
     if (now_ns - desk->last_saved_ns >= 10 * kSecond_ns) save_state(desk);
   }

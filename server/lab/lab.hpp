@@ -35,6 +35,10 @@
 #include "lab/worker_thread.hpp"
 #include "machine/simulated_machine.hpp"
 #include "machine/tick_thread.hpp"
+#include "machine/tool_list.hpp"
+#include "machine/watchdog.hpp"
+#include "machine/workpiece_thread.hpp"
+#include "machine/zero_book.hpp"
 #include "transfer/binding_line.hpp"
 
 namespace cnclab::v1 {
@@ -233,6 +237,19 @@ class Lab {
   void connect_lab_machine(LoginId login);
   void disconnect_lab_machine();
   [[nodiscard]] MachineView machine_view() const;
+  /// The beat stood still and the watchdog has cut the current: the machine stays off until power-on.
+  void heed_watchdog();
+  /// New data of the machine hold while nobody has it and it stands still; where that is not now, as soon as it is.
+  void use_machine_data(const machine::MachineData& data);
+  void settle_machine_data();
+  /// On the lab machine and on every training machine (DEC-24).
+  void use_workpiece(const std::array<double, 3>& size_mm);
+  [[nodiscard]] machine::WorkpieceSpec workpiece() const;
+  /// The tape text of P0000 as the machine's list (DEC-29).
+  void use_tools(const std::string& tape);
+  /// Whatever the tools did wrong: told to the student, written down, counted as an error.
+  void tell_milling(const DeskPtr& desk);
+  void tell_milling(const DeskPtr& desk, const std::vector<machine::MillingEvent>& news, Epoch lease);
   void heard(const VisitPtr& visit, std::uint64_t beat);
   void keep_epoch();
   /// Begins, follows and ends the record of what the desk's control runs.
@@ -267,10 +284,17 @@ class Lab {
   std::uint64_t kept_epoch_;  ///< numbers up to this one are reserved in the database
   machine::MachineData machine_data_;
   std::string tools_;  ///< tape text
+  machine::ToolList tool_list_;
   std::array<double, 3> workpiece_mm_;
   BackupCopy backup_;
+  machine::WorkpieceThread workpieces_;
+  std::shared_ptr<machine::MillingSite> site_;  ///< the lab machine's
   machine::SimulatedMachine machine_;
   std::shared_ptr<machine::Channel> channel_;
+  machine::Watchdog watchdog_;
+  std::uint64_t stalls_heeded_ = 0;
+  std::optional<machine::MachineData> machine_data_due_;
+  machine::ZeroBook zeros_;
   RunRecorder recorder_;
   std::vector<VisitPtr> visits_;
   std::map<db::PersonId, DeskPtr> desks_;

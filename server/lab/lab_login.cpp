@@ -220,11 +220,12 @@ void Lab::load_desk(const VisitPtr& visit) {
                if (desk_of(visit->person.id)) return admit_station(visit);  // the same student was faster elsewhere
                const auto& person = visit->person;
                panel::Settings settings = settings_for(configuration_, person, tongue_of(person));
+               settings.workpiece = workpiece();
                settings.long_work = [this](std::function<void()> job) { long_work_.enqueue(std::move(job)); };
                settings.picture_work = [this](std::function<void()> job) { pictures_.enqueue(std::move(job)); };
-               const auto desk = std::make_shared<Desk>(person, std::move(settings),
-                                                        memory_of(stored->programs, configuration_.memory_bytes),
-                                                        machine_data_of(stored->machine_data), ticks_, store_);
+               const auto desk = std::make_shared<Desk>(
+                   person, std::move(settings), memory_of(stored->programs, configuration_.memory_bytes),
+                   machine_data_of(stored->machine_data), ticks_, workpieces_, store_);
                if (!stored->state.empty()) desk->control.restore_state(stored->state);
                if (is_damaged(stored->machine_data)) restore_machine_data(desk);
                desk->made_ns = clock_.monotonic_ns();
@@ -343,6 +344,7 @@ void Lab::dismiss(const DeskPtr& desk) {
   }
   save_state(desk);
   end_recording(desk, *desk->recorder, machine::StopCause::operator_stop);
+  desk->leave_machines();
   desks_.erase(desk->person.id);
   everybody_changed();
 }

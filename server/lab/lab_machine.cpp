@@ -43,13 +43,6 @@ std::string_view name_of(machine::StopCause cause) {
   return "";
 }
 
-/// After these causes START goes on with the same run.
-bool goes_on(machine::StopCause cause) {
-  using machine::StopCause;
-  return cause == StopCause::operator_stop || cause == StopCause::programmed_halt ||
-         cause == StopCause::waiting_for_input || cause == StopCause::single_block;
-}
-
 }  // namespace
 
 std::string Lab::decide(const Event& event, language::Tongue tongue) {
@@ -95,7 +88,11 @@ void Lab::connect_lab_machine(LoginId login) {
     desk->stop_training();
     end_recording(desk, *desk->recorder, machine::StopCause::operator_stop);
     desk->on_lab_machine = true;
-    desk->control.connect({channel_, authority_.newest(), true, machine_data_, configuration_.require_reference});
+    const auto tools = configuration_.tool_list ? std::optional(tool_list_) : std::nullopt;
+    desk->control.connect(
+        {channel_, authority_.newest(), true, machine_data_, configuration_.require_reference, tools});
+    if (const auto mm = zeros_.istwert(static_cast<std::int64_t>(id), channel_->snapshot()))  // DEC-27
+      static_cast<void>(channel_->command(machine::SetIstwert{authority_.newest(), {true, true, true}, *mm}));
     lab_desk_ = desk;
     for (const VisitPtr& typing : {desk->visit.lock(), desk->taker.lock()})
       if (typing) send_beat(typing);  // ahead of the screen that shows the machine
@@ -105,6 +102,7 @@ void Lab::connect_lab_machine(LoginId login) {
 void Lab::disconnect_lab_machine() {
   if (const DeskPtr desk = lab_desk_.lock()) {
     end_recording(desk, recorder_, channel_->snapshot().cause);
+    zeros_.keep(static_cast<std::int64_t>(desk->person.id), channel_->snapshot());
     desk->connect_training();
   }
   lab_desk_.reset();
@@ -152,17 +150,20 @@ void Lab::record_run(const DeskPtr& desk) {
   // A run that the control has given up may still be braking: its last ticks belong to it.
   const bool has_left = recorder.is_recording() && recorder.order() != order.get();
   const bool is_over = has_left && (order != nullptr || !snapshot.started);
-  const bool hand_is_over = recorder.is_recording() && !order && !snapshot.started && !goes_on(snapshot.cause);
+  const bool hand_is_over = recorder.is_recording() && recorder.order() == nullptr && !snapshot.started;
   if (is_over || hand_is_over) end_recording(desk, recorder, snapshot.cause);
-  // By hand only the lab's machine is of interest, and only its trace.
+  // By hand only the lab's machine is of interest.
   const bool by_hand = desk->on_lab_machine && snapshot.started;
   if (!recorder.is_recording() && (order || by_hand)) {
+    std::optional<HandStart> hand;
+    if (!order)
+      hand = HandStart{snapshot.start_istwert_mm, machine::on_lab_machine(desk->control.data(), machine_data_)};
     const auto situation = desk->control.situation();
     const int program = order ? order->start.program : situation.program;
     const int block = order ? order->start.block : situation.block;
     recorder.begin({desk->person.id, desk->station,
                     static_cast<std::uint64_t>(desk->on_lab_machine ? authority_.newest() : Epoch{}), program, block,
-                    clock_.unix_ms(), order, desk->on_lab_machine ? machine_data_ : order->data});
+                    clock_.unix_ms(), order, desk->on_lab_machine ? machine_data_ : order->data, hand});
     write_journal("run", fmt::format("P{:04} N{:03} {}", program, block, desk->on_lab_machine ? "lab" : "training"),
                   desk->station, desk->person.name, desk->on_lab_machine ? authority_.newest() : Epoch{});
   }

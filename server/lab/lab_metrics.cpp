@@ -50,6 +50,8 @@ std::string Lab::metrics() const {
   all.add("ticks_late_total", "counter", "Ticks that began more than 1 ms late.", ticks.late);
   all.add("tick_longest_delay_seconds", "gauge", "The latest that a tick began.",
           static_cast<double>(ticks.longest_delay_ns) / 1e9);
+  all.add("tick_stalls_total", "counter", "Times that the beat stood still and the machine's current was cut.",
+          watchdog_.stalls());
   all.add("store_jobs_total", "counter", "Jobs of the store.", store.jobs);
   all.add("store_commits_total", "counter", "Commits of the store.", store.commits);
   all.add("store_failures_total", "counter", "Jobs that could not be stored.", store.failures);

@@ -94,10 +94,16 @@ Json start_json(const program::Start& start) {
           {"parameters", parameters_json(parameters)}};
 }
 
+/// The line of HANDEINGABE runs under a number that no stored program can have.
+std::uint16_t last_program(const Json& json) {
+  const bool is_line = json.value("is_single_function", false);
+  return static_cast<std::uint16_t>(language::kLastProgram + (is_line ? 1 : 0));
+}
+
 program::Start start_of(const Json& json) {
   program::Start start;
   auto& [program, block, position, modal, parameters, compensation] = start;
-  program = number_in<std::uint16_t>(json, "program", 0, language::kLastProgram);
+  program = number_in<std::uint16_t>(json, "program", 0, last_program(json));
   block = number_in<std::uint16_t>(json, "block", 0, language::kLastBlock);
   const auto place = json.at("position").get<std::array<double, 4>>();
   position = {place[0], place[1], place[2], place[3]};
@@ -105,6 +111,20 @@ program::Start start_of(const Json& json) {
   modal = modal_of(json.at("modal"));
   parameters = parameters_of(json.at("parameters"));
   return start;
+}
+
+Json tools_json(const machine::ToolList& tools) {
+  Json list = Json::object();
+  for (const auto& [number, tool] : tools.tools()) list[std::to_string(number)] = {tool.radius_mm, tool.length_mm};
+  return {{"in_spindle", tools.in_spindle()}, {"list", list}};
+}
+
+machine::ToolList tools_of(const Json& json) {
+  machine::ToolList tools;
+  tools.set_in_spindle(json.at("in_spindle"));
+  for (const auto& [number, tool] : json.at("list").items())
+    tools.put(std::stoi(number), {tool.at(0).get<double>(), tool.at(1).get<double>()});
+  return tools;
 }
 
 std::vector<std::string> texts_of(const language::Program& program) {
@@ -129,22 +149,22 @@ language::Program program_of(std::uint16_t number, const std::vector<std::string
   return program;
 }
 
-std::uint16_t program_number(const std::string& key) {
+std::uint16_t program_number(const std::string& key, std::uint16_t last) {
   const unsigned long number = std::stoul(key);
-  if (number > language::kLastProgram) throw std::runtime_error("P" + key);
+  if (number > last) throw std::runtime_error("P" + key);
   return static_cast<std::uint16_t>(number);
 }
 
 program::ProgramSet programs_of(const Json& json, db::Database& database, db::PersonId person) {
   program::ProgramSet programs;
   for (const auto& [key, version] : json.at("versions").items()) {
-    const std::uint16_t number = program_number(key);
+    const std::uint16_t number = program_number(key, language::kLastProgram);
     const auto texts = database.program_at(person, number, version);
     if (!texts) throw std::runtime_error(fmt::format("P{:04} version {}", number, version.get<int>()));
     programs.put(program_of(number, *texts));
   }
   for (const auto& [key, texts] : json.at("texts").items()) {
-    const std::uint16_t number = program_number(key);
+    const std::uint16_t number = program_number(key, last_program(json));
     programs.put(program_of(number, texts));
   }
   return programs;
@@ -162,6 +182,8 @@ Json order_json(const panel::RunOrder& order, db::Database& database, db::Person
   json["io_cards"] = order.io_cards;
   json["rests_accumulate"] = order.rests_accumulate;
   json["is_single_function"] = order.is_single_function;
+  if (order.machine_mm) json["machine_mm"] = *order.machine_mm;
+  if (order.tools) json["tools"] = tools_json(*order.tools);
   json["versions"] = json["texts"] = Json::object();
   std::map<int, db::StoredProgram> stored;
   for (auto& program : database.programs(person)) stored.emplace(program.number, std::move(program));
@@ -189,6 +211,8 @@ std::expected<panel::RunOrder, std::string> order_of(const Json& json, db::Datab
     order.io_cards = json.value("io_cards", order.io_cards);
     order.rests_accumulate = json.value("rests_accumulate", false);
     order.is_single_function = json.value("is_single_function", false);
+    if (json.contains("machine_mm")) order.machine_mm = json.at("machine_mm").get<std::array<double, 3>>();
+    if (json.contains("tools")) order.tools = tools_of(json.at("tools"));
     order.programs = programs_of(json, database, person);
     const language::Program* const first = order.programs.find(order.start.program);
     if (first == nullptr || !first->find(order.start.block))

@@ -2,10 +2,13 @@
 //
 //   { "program": 1, "block": 1, "position": [x, y, z, u], "compensation": [x, y, z], "modal": {…},
 //     "parameters": {"4": 25000000}, "data": {"3": 500000, …}, "model": 3300, "planned_functions": true,
-//     "versions": {"1": 17}, "texts": {"9999": ["N001G00X+50000"]} }
+//     "tools": {"in_spindle": 3, "list": {"3": [5.0, 0.0]}}, "versions": {"1": 17}, "texts": {"9999":
+//     ["N001G00X+50000"]} }
 //
 // Programs stand there by the version that the database keeps; one that is not stored like that (the line of
-// HANDEINGABE) by its text. Lengths in mm, everything else in the units of the structs.
+// HANDEINGABE) by its text. `tools` (radius and length of each) only where the
+// machine keeps a list, and "machine_mm": [x, y, z] only where it knows its place. Lengths in mm, everything else in
+// the units of the structs.
 #pragma once
 
 #include <expected>

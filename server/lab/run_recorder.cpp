@@ -19,6 +19,12 @@ namespace {
 constexpr std::size_t kRecord_bytes = 36;
 constexpr std::size_t kBatch = 1000;  ///< points per row of run_trace: one second
 
+nlohmann::json data_json(const machine::MachineData& data) {
+  nlohmann::json json;
+  for (const auto& form : machine::datum_forms()) json[std::to_string(form.number)] = data.get(form.number);
+  return json;
+}
+
 template <class Value>
 void put(std::string& out, Value value) {
   static_assert(std::endian::native == std::endian::little);
@@ -92,6 +98,16 @@ void TrajectoryDigest::add(const std::array<std::int32_t, 4>& steps) {
 
 std::string TrajectoryDigest::text() const { return fmt::format("{:016x}", state_); }
 
+double hand_value(const std::array<std::int8_t, 3>& directions) {
+  return (directions[0] + 1) + 3 * (directions[1] + 1) + 9 * (directions[2] + 1);
+}
+
+std::array<std::int8_t, 3> hand_directions(double value) {
+  const int code = static_cast<int>(value);
+  return {static_cast<std::int8_t>(code % 3 - 1), static_cast<std::int8_t>(code / 3 % 3 - 1),
+          static_cast<std::int8_t>(code / 9 % 3 - 1)};
+}
+
 struct RunRecorder::Run {
   std::optional<std::int64_t> id;  ///< known once the store has answered
   std::uint64_t ticks = 0;
@@ -118,9 +134,12 @@ void RunRecorder::begin(const RunStart& start) {
   record.started_ms = start.unix_ms;
   record.program = start.program;
   record.block = start.block;
-  nlohmann::json setup{{"software", kSoftware}, {"steps", channel_->snapshot().steps}};
-  for (const auto& form : machine::datum_forms())
-    setup["machine_data"][std::to_string(form.number)] = start.machine_data.get(form.number);
+  const machine::Snapshot now = channel_->snapshot();
+  nlohmann::json setup{{"software", kSoftware},
+                       {"steps", now.started ? now.start_steps : now.steps},
+                       {"machine_data", data_json(start.machine_data)}};
+  if (start.hand) setup["hand"] = {{"istwert", start.hand->istwert_mm}, {"data", data_json(start.hand->data)}};
+  is_by_hand_ = start.hand.has_value();
   // The store is a queue, so the id is known to every later job of this run, on the store's own thread; and the
   // versions found there are those at START.
   store_.run(
@@ -158,6 +177,8 @@ void RunRecorder::take(const machine::TracePoint& point) {
   if (is_first || now.inputs != was.inputs) note("inputs", now.inputs);
   if (now.stops != 0) note("stop", now.stops);
   if (now.go) note("go", 1);
+  const bool is_begun_by_hand = now.by_hand != std::array<std::int8_t, 3>{};
+  if (is_begun_by_hand) note(now.is_reference ? "reference" : "jog", hand_value(now.by_hand));
   run_->levels = now;
   run_->digest.add(point.steps);
   ++run_->ticks;
@@ -196,7 +217,7 @@ void RunRecorder::end(const std::string& ended) {
   record.seconds = static_cast<double>(run_->ticks) / 1000.0;
   record.ended = run_->lost == 0 ? ended : fmt::format("{} ({} ticks not traced)", ended, run_->lost);
   record.ticks = static_cast<std::int64_t>(run_->ticks);
-  const bool is_whole = order_ != nullptr && run_->lost == 0 && run_->noted <= kMostEvents;
+  const bool is_whole = (order_ != nullptr || is_by_hand_) && run_->lost == 0 && run_->noted <= kMostEvents;
   if (is_whole) record.digest = run_->digest.text();
   store_.run(
       [run = run_, record](db::Database& database) {

@@ -14,6 +14,12 @@
 
 namespace cnclab::lab {
 
+/// What a motion by hand begins with, besides the machine's data; its directions are its first event.
+struct HandStart {
+  std::array<double, 4> istwert_mm{};
+  machine::MachineData data;  ///< that the channel goes by
+};
+
 /// Who runs what; filled by the lab when a run begins.
 struct RunStart {
   db::PersonId person{};
@@ -21,8 +27,9 @@ struct RunStart {
   std::uint64_t lease = 0;
   int program = 0, block = 0;
   std::int64_t unix_ms = 0;
-  std::shared_ptr<const panel::RunOrder> order;  ///< nullptr: motion by hand, which cannot be replayed
+  std::shared_ptr<const panel::RunOrder> order;  ///< nullptr: motion by hand
   machine::MachineData machine_data;             ///< of the machine itself: its travel
+  std::optional<HandStart> hand{};               ///< where there is no order
 };
 
 /// The steps of a run, boiled down: equal digests mean the same trajectory. FNV-1a over the four positions of each
@@ -36,8 +43,9 @@ class TrajectoryDigest {
   std::uint64_t state_ = 0xcbf29ce484222325;
 };
 
-/// A run lasts from START to its end, over STOP, halts and single blocks. Bounded: at most 10 minutes are traced, and
-/// kMostEvents events are kept; a run with more is recorded without a digest and cannot be replayed.
+/// A run lasts from START to its end, over STOP, halts and single blocks; a motion by hand until the axes rest.
+/// Bounded: at most 10 minutes are traced, and kMostEvents events are kept; a run with more is recorded without a
+/// digest and cannot be replayed.
 class RunRecorder {
  public:
   static constexpr std::uint64_t kMostTicks = 600'000;
@@ -68,6 +76,7 @@ class RunRecorder {
   std::shared_ptr<machine::Channel> channel_;
   Keeps keeps_;
   std::shared_ptr<const panel::RunOrder> order_;
+  bool is_by_hand_ = false;
   std::shared_ptr<Run> run_;
   std::vector<machine::TracePoint> points_;
 };
@@ -76,6 +85,10 @@ class RunRecorder {
 [[nodiscard]] std::string pack_trace(const std::vector<machine::TracePoint>& points);
 /// The trace CSV of interfaces.md section 5.
 [[nodiscard]] std::string trace_csv(const std::string& packed, const std::array<double, 4>& steps_per_mm);
+/// Directions −1, 0, 1 of a motion by hand as the value of an event `jog` or `reference`, and back.
+[[nodiscard]] double hand_value(const std::array<std::int8_t, 3>& directions);
+[[nodiscard]] std::array<std::int8_t, 3> hand_directions(double value);
+
 /// The positions of a packed trace, tick after tick.
 [[nodiscard]] std::vector<std::array<std::int32_t, 4>> trace_steps(const std::string& packed);
 

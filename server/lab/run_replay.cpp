@@ -32,13 +32,17 @@ class Player {
   }
 
   ReplayResult play() {
-    act(false);
-    tick();  // inputs and levels are there before START
-    points_.clear();
-    const auto begun =
-        run_.begin({channel_, kEpoch, recorded_.is_lab_machine, recorded_.machine_data}, recorded_.order);
-    if (!begun) return {false, 0, 0, "START: " + language::explain(begun.error(), language::Tongue::english)};
-    tick();
+    if (recorded_.hand_istwert_mm) {
+      prepare_hand(*recorded_.hand_istwert_mm);
+    } else {
+      act(false);
+      tick();  // inputs and levels are there before START
+      points_.clear();
+      const auto begun =
+          run_.begin({channel_, kEpoch, recorded_.is_lab_machine, recorded_.machine_data}, recorded_.order);
+      if (!begun) return {false, 0, 0, "START: " + language::explain(begun.error(), language::Tongue::english)};
+      tick();
+    }
     for (std::uint64_t idle = 0; points_.size() < recorded_.ticks && idle < kMostIdle;) {
       const std::size_t before = points_.size();
       act(true);
@@ -49,6 +53,17 @@ class Player {
   }
 
  private:
+  /// The switches are read and the place has its name before the first direction comes.
+  void prepare_hand(const std::array<double, 4>& istwert_mm) {
+    const std::array<double, 3> mm{istwert_mm[0], istwert_mm[1], istwert_mm[2]};
+    // U has no ISTWERT and stands still by hand: its place is added.
+    u_steps_ = static_cast<std::int32_t>(
+        std::lround(istwert_mm[3] * machine::motion_limits(recorded_.order.data).steps_per_mm[3]));
+    static_cast<void>(channel_->command(machine::SetIstwert{kEpoch, {true, true, true}, mm}));
+    tick();
+    points_.clear();
+  }
+
   /// The events of the next tick. START itself is the run's beginning.
   void act(bool with_orders) {
     for (; next_ < recorded_.events.size(); ++next_) {
@@ -59,6 +74,9 @@ class Player {
       if (event.kind == "inputs") set_inputs(static_cast<std::uint32_t>(event.value));
       if (event.kind == "stop") stop(static_cast<std::uint32_t>(event.value));
       if (event.kind == "go" && with_orders) run_.go_on();
+      if (event.kind == "jog") static_cast<void>(channel_->command(machine::Jog{kEpoch, hand_directions(event.value)}));
+      if (event.kind == "reference")
+        static_cast<void>(channel_->command(machine::RunReference{kEpoch, hand_directions(event.value)}));
     }
   }
 
@@ -76,8 +94,10 @@ class Player {
 
   void tick() {
     channel_->tick(++ticks_ * kTick_ns, kTick_s);
+    const std::size_t before = points_.size();
     static_cast<void>(channel_->drain_trace(points_));
-    if (static_cast<std::uint64_t>(ticks_) % kPollEvery == 0) static_cast<void>(run_.poll());
+    for (std::size_t i = before; i < points_.size(); ++i) points_[i].steps[3] += u_steps_;
+    if (static_cast<std::uint64_t>(ticks_) % kPollEvery == 0) run_.feed_replay();
   }
 
   [[nodiscard]] ReplayResult compare() const {
@@ -113,6 +133,7 @@ class Player {
   panel::Run run_;
   std::size_t next_ = 0;
   std::int64_t ticks_ = 0;
+  std::int32_t u_steps_ = 0;
   std::vector<machine::TracePoint> points_;
 };
 

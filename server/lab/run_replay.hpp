@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,7 +16,8 @@ namespace cnclab::lab {
 
 /// Everything of a run that its trajectory follows from, and what the trajectory was.
 struct RecordedRun {
-  panel::RunOrder order;
+  panel::RunOrder order;                                 ///< of a motion by hand only `data` counts
+  std::optional<std::array<double, 4>> hand_istwert_mm;  ///< a motion by hand, and where it began
   bool is_lab_machine = false;
   machine::MachineData machine_data;    ///< of the machine itself
   std::array<std::int64_t, 4> steps{};  ///< where it stood

@@ -42,6 +42,8 @@ enum class ErrorCode : std::uint8_t {
   checksum_wrong,           ///< CHECKSUM FEHLER (ERR-004)
   feed_above_limit,         ///< Satz überprüfen: F above F MAX at execution
   travel_exceeded,          ///< the lab machine's travel (DEC-27, AUTH-011)
+  tool_not_listed,          ///< the lab machine's tool list has no such tool (DEC-29)
+  tool_differs,             ///< R or L of P0000 is not that of the list (DEC-29)
   block_number_wrong,       ///< outside 001..999, twice, or no room behind N999 (D-47)
   program_number_wrong,     ///< outside 0000..9999
   program_empty,            ///< a number and no block behind it (tape, files)

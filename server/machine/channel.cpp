@@ -42,8 +42,8 @@ struct Channel::Impl {
 Channel::Channel(Machine& machine, const MachineData& data) : impl_(std::make_unique<Impl>(machine, data)) {}
 Channel::~Channel() = default;
 
-motion::Planner* Channel::begin_run(Epoch epoch, const geometry::Point& position) {
-  const BeginRun order{epoch, impl_->planner.run() + 1, position, impl_->limits};
+motion::Planner* Channel::begin_run(Epoch epoch, const geometry::Point& position, bool is_program) {
+  const BeginRun order{epoch, impl_->planner.run() + 1, position, impl_->limits, is_program};
   if (!impl_->order(order)) return nullptr;
   impl_->planner.restart(impl_->limits);
   return &impl_->planner;
@@ -70,7 +70,9 @@ void Channel::latch(bool on) {
 }
 
 void Channel::set_override(double ratio) {
-  impl_->mail.override_ratio.store(std::clamp(ratio, 0.0, 1.0), std::memory_order_relaxed);
+  // As exactly as the trace keeps it, so that a replay turns it to the same.
+  const auto kept = static_cast<float>(std::clamp(ratio, 0.0, 1.0));
+  impl_->mail.override_ratio.store(static_cast<double>(kept), std::memory_order_relaxed);
 }
 
 void Channel::set_single_block(bool on) { impl_->mail.single_block.store(on, std::memory_order_relaxed); }

@@ -120,15 +120,17 @@ struct Snapshot {
   std::uint64_t tick = 0;
   MotionState state = MotionState::off;
   StopCause cause = StopCause::none;
-  bool started = false;                 ///< START state: from START until rest after STOP or the end
-  std::uint64_t run = 0;                ///< number of the run that the tick has taken up last
-  bool run_active = false;              ///< it was neither ended nor abandoned: Go starts it or goes on with it
-  std::uint64_t orders = 0;             ///< begin_run, command, set_data taken so far (see is_settled)
-  Epoch epoch{};                        ///< the lease that the tick knows
-  bool lease_valid = false;             ///< false once it was revoked or has expired; it never comes back
-  std::array<std::int64_t, 4> steps{};  ///< actual position from where the channel began, X Y Z U
-  std::array<double, 4> istwert_mm{};   ///< counted steps, as the operator reads them (G68 applied)
-  std::array<double, 4> path_mm{};      ///< exact position in the coordinates of the run's path
+  bool started = false;                       ///< START state: from START until rest after STOP or the end
+  std::uint64_t run = 0;                      ///< number of the run that the tick has taken up last
+  bool run_active = false;                    ///< it was neither ended nor abandoned: Go starts it or goes on with it
+  std::uint64_t orders = 0;                   ///< begin_run, command, set_data taken so far (see is_settled)
+  Epoch epoch{};                              ///< the lease that the tick knows
+  bool lease_valid = false;                   ///< false once it was revoked or has expired; it never comes back
+  std::array<std::int64_t, 4> steps{};        ///< actual position from where the channel began, X Y Z U
+  std::array<double, 4> istwert_mm{};         ///< counted steps, as the operator reads them (G68 applied)
+  std::array<double, 4> path_mm{};            ///< exact position in the coordinates of the run's path
+  std::array<std::int64_t, 4> start_steps{};  ///< where the last START found the axes …
+  std::array<double, 4> start_istwert_mm{};   ///< … and what that place was called
   double speed_mm_per_min = 0;
   std::uint64_t sequence = 0;           ///< PathItem::sequence being done, or done last
   geometry::SourceBlock source;         ///< its block
@@ -141,12 +143,14 @@ struct Snapshot {
   std::array<BlockStart, 4> block_starts{};  ///< of this run, oldest first; see input_1_at_start
   std::uint8_t block_start_count = 0;        ///< how many of them there are
   std::array<bool, 4> limit{};               ///< a switch of this axis is active
-  std::uint8_t limit_axis = 0xFF;            ///< axis of the last ENDSCHALTER stop, 0xFF none
+  std::uint8_t limit_axis = 0xFF;  ///< axis of the ENDSCHALTER stop since the last start, whatever the cause; 0xFF none
   bool is_referenced = false;
-  std::uint64_t references_lost = 0;  ///< how often a known position was lost so far
-  std::uint64_t signals = 0;          ///< acoustic signals so far
-  std::uint64_t refused = 0;          ///< commands refused for their epoch so far
-  std::uint64_t dropped = 0;          ///< commands that did not fit the state (or came before a stop) so far
+  std::array<std::int64_t, 3> reference_steps{};  ///< where the last reference run left each axis
+  std::uint64_t references_lost = 0;              ///< how often a known position was lost so far
+  int tool = 0;               ///< T that was called last: the tool in the spindle (DEC-29), 0 none yet
+  std::uint64_t signals = 0;  ///< acoustic signals so far
+  std::uint64_t refused = 0;  ///< commands refused for their epoch so far
+  std::uint64_t dropped = 0;  ///< commands that did not fit the state (or came before a stop) so far
 };
 
 /// Input 1 as it was in the tick in which block `sequence` (PathItem::sequence; 0 = START) of the run began, for G21
@@ -160,14 +164,16 @@ struct TickLevels {
   std::uint32_t inputs = 0;  ///< bit 0 Input 1, 8..15 card 1, 16..23 card 2, as they came back from the machine
   std::uint16_t stops = 0;   ///< bit = StopCause, those heard in this tick
   bool single_block = false;
-  bool go = false;  ///< a START took effect: begin, going on, release of a halt
+  bool go = false;                       ///< a START took effect: begin, going on, release of a halt
+  std::array<std::int8_t, 3> by_hand{};  ///< directions of a Jog or RunReference that took effect
+  bool is_reference = false;             ///< it was a RunReference
   friend bool operator==(const TickLevels&, const TickLevels&) = default;
 };
 
 /// One tick as it really was, for traces; trivially copyable.
 struct TracePoint {
   std::uint64_t tick = 0;
-  std::array<std::int32_t, 4> steps{};  ///< position in path coordinates, X Y Z U
+  std::array<std::int32_t, 4> steps{};  ///< position in path coordinates, by hand in those of the Istwert; X Y Z U
   float speed_mm_per_min = 0;
   std::int32_t spindle_rpm = 0;  ///< negative counterclockwise
   geometry::SourceBlock source;
@@ -187,9 +193,10 @@ class Channel {
   // --- lab thread ---------------------------------------------------------------------------------------------
   /// Begins a run from `position` (path coordinates of where the machine stands now) with the machine data that hold
   /// now (DEC-28). A former run is abandoned. Append to the planner, `plan()`, then command(Go).
+  /// is_program  a new workpiece is put under the tool when it starts (DEC-24); HANDEINGABE goes on in the old one
   /// returns  the planner, restarted; nullptr when the command ring is full
   /// The tick takes the run up only at rest and under a valid lease: snapshot().run == planner->run() tells.
-  [[nodiscard]] motion::Planner* begin_run(Epoch epoch, const geometry::Point& position);
+  [[nodiscard]] motion::Planner* begin_run(Epoch epoch, const geometry::Point& position, bool is_program = true);
   /// The planner of the newest run.
   [[nodiscard]] motion::Planner& planner();
   [[nodiscard]] const motion::SegmentQueue& queue() const;

@@ -19,6 +19,7 @@ struct BeginRun {
   std::uint64_t run = 0;
   geometry::Point position;
   motion::Limits limits;
+  bool is_program = true;
 };
 
 /// New machine data for manual motion and counters.

@@ -1,5 +1,6 @@
 // Commands of the lab thread, each checked for its lease, its age and the state it meets.
 #include <algorithm>
+#include <cmath>
 
 #include "machine/channel_tick.hpp"
 
@@ -79,7 +80,7 @@ void ChannelTick::obey(const BeginRun& order, bool /*is_fresh*/) noexcept {
   if (run_.is_active) abandon_run();
   use_limits(order.limits);
   follower_.begin(order.run, order.position, order.limits);
-  run_ = {.number = order.run, .is_active = true, .anchor_due = true};
+  run_ = {.number = order.run, .is_active = true, .anchor_due = true, .is_program = order.is_program};
   anchor_at(order.position);
   sequence_ = 0;
 }
@@ -97,6 +98,19 @@ void ChannelTick::begin_activity(Activity activity) noexcept {
   started_ = true;
   braking_ = abandon_at_rest_ = false;
   cause_ = StopCause::none;
+  limit_axis_ = 0xFF;
+  start_steps_ = counters_.steps();
+  for (std::size_t i = 0; i < 4; ++i) start_istwert_mm_[i] = counters_.istwert_mm(i);
+}
+
+/// There is no path by hand: places are called by their Istwert, in the trace too.
+void ChannelTick::begin_by_hand(Activity activity, const Directions& directions) noexcept {
+  begin_activity(activity);
+  for (std::size_t i = 0; i < 4; ++i) {
+    run_.origin[i] = counters_.steps()[i] - std::llround(counters_.istwert_mm(i) * counters_.per_mm(i));
+  }
+  std::copy_n(directions.begin(), levels_.by_hand.size(), levels_.by_hand.begin());
+  levels_.is_reference = activity == Activity::reference;
 }
 
 void ChannelTick::go(Epoch epoch, bool is_fresh) noexcept {
@@ -128,13 +142,18 @@ void ChannelTick::go(Epoch epoch, bool is_fresh) noexcept {
   levels_.go = true;
   if (!run_.has_begun) {
     run_.has_begun = true;
-    cut_base_ = {.steps = counters_.steps(), .is_new = true};
-    for (std::size_t i = 0; i < 3; ++i) cut_base_.mm[i] = counters_.istwert_mm(i);
+    if (run_.is_program || !cut_base_.is_set) begin_workpiece();
   }
   if (run_.waiting == Waiting::halt) {  // START after STOP in a halt: the halt waited for just that
     run_.waiting = Waiting::no;
     static_cast<void>(follower_.pass_event());
   }
+}
+
+/// Whence the tool's way is counted from here on (DEC-24).
+void ChannelTick::begin_workpiece() noexcept {
+  cut_base_ = {.steps = counters_.steps(), .is_set = true, .is_new = true};
+  for (std::size_t i = 0; i < 3; ++i) cut_base_.mm[i] = counters_.istwert_mm(i);
 }
 
 void ChannelTick::start_hand(const Jog& jog, bool is_fresh) noexcept {
@@ -154,7 +173,7 @@ void ChannelTick::start_hand(const Jog& jog, bool is_fresh) noexcept {
   if (run_.is_active) abandon_run();
   settle_limits();
   hand_.start(directions, limits_, counters_);
-  begin_activity(Activity::hand);
+  begin_by_hand(Activity::hand, directions);
 }
 
 void ChannelTick::start_reference(const RunReference& reference, bool is_fresh) noexcept {
@@ -170,7 +189,7 @@ void ChannelTick::start_reference(const RunReference& reference, bool is_fresh) 
   if (run_.is_active) abandon_run();
   settle_limits();
   switches_.search(directions, limits_, counters_);
-  begin_activity(Activity::reference);
+  begin_by_hand(Activity::reference, directions);
 }
 
 /// Sub mode ISTWERT (HA): at rest only.

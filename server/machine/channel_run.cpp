@@ -186,7 +186,7 @@ bool ChannelTick::execute(const motion::Segment& event) noexcept {
                           return false;
                         },
                         [&](const geometry::ToolChange& tool) {
-                          tool_ = {tool.radius_mm, tool.length_mm};
+                          tool_ = {tool.number, tool.radius_mm, tool.length_mm};
                           return true;
                         },
                         [](const geometry::Mark&) { return true; },
@@ -255,9 +255,7 @@ void ChannelTick::end_program_reference() noexcept {
   const auto* reference = event != nullptr ? std::get_if<geometry::Reference>(&event->item.what) : nullptr;
   if (reference == nullptr) return;
   for (std::size_t i = 0; i < 3; ++i) {
-    if (!reference->axes[i]) continue;
-    counters_.set_istwert(i, reference->value[i]);
-    referenced_[i] = true;
+    if (reference->axes[i]) note_reference(i, reference->value[i]);
   }
   anchor_at(follower_.position());
   run_.anchor_due = true;

@@ -63,9 +63,7 @@ void ChannelTick::reference_tick(double tick_s, double ratio) noexcept {
   if (switches_.has_failed()) return come_to_rest(StopCause::error);
   if (switches_.is_done()) {
     for (std::size_t i = 0; i < 3; ++i) {
-      if (!switches_.has_axis(i)) continue;
-      counters_.set_istwert(i, 0);
-      referenced_[i] = true;
+      if (switches_.has_axis(i)) note_reference(i, 0);
     }
     return come_to_rest(StopCause::program_end);
   }
@@ -73,6 +71,13 @@ void ChannelTick::reference_tick(double tick_s, double ratio) noexcept {
     switches_.cancel();
     come_to_rest(StopCause::operator_stop);
   }
+}
+
+/// The axis stands at its reference point, and that is called so (D-11, G-691).
+void ChannelTick::note_reference(std::size_t axis, double istwert_mm) noexcept {
+  counters_.set_istwert(axis, istwert_mm);
+  referenced_[axis] = true;
+  reference_steps_[axis] = counters_.steps()[axis];
 }
 
 /// Part of the stop at a limit switch, so neither lease nor potentiometer matter (AUTH-009).
@@ -135,6 +140,8 @@ void ChannelTick::report() noexcept {
     now.limit[i] = inputs_.limit_plus[i] || inputs_.limit_minus[i];
   }
   now.path_mm = path_mm();
+  now.start_steps = start_steps_;
+  now.start_istwert_mm = start_istwert_mm_;
   now.speed_mm_per_min = speed_mm_per_s_ * 60;
   now.sequence = sequence_;
   now.source = source_;
@@ -149,7 +156,9 @@ void ChannelTick::report() noexcept {
   now.block_start_count = run_.start_count;
   now.limit_axis = limit_axis_;
   now.is_referenced = referenced_[0] && referenced_[1] && referenced_[2];
+  now.reference_steps = reference_steps_;
   now.references_lost = references_lost_;
+  now.tool = tool_.number;
   now.signals = signals_;
   now.refused = refused_;
   now.dropped = dropped_;

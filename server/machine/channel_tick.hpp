@@ -37,6 +37,7 @@ class ChannelTick {
     std::array<BlockStart, 4> starts{};    ///< oldest first
     std::uint8_t start_count = 0;
     bool has_begun = false;  ///< its first START was taken
+    bool is_program = true;
   };
 
   // channel_authority.cpp: who may, and what stops
@@ -68,6 +69,8 @@ class ChannelTick {
   void settle_limits() noexcept;
   void use_limits(const motion::Limits& limits) noexcept;
   void begin_activity(Activity activity) noexcept;
+  void begin_by_hand(Activity activity, const Directions& directions) noexcept;
+  void begin_workpiece() noexcept;
 
   // channel_run.cpp: the program's path and events
   void run_tick(double tick_s, const motion::Demand& demand) noexcept;
@@ -83,6 +86,7 @@ class ChannelTick {
   void set_output(const geometry::Output& output) noexcept;
   void begin_program_reference(const geometry::Reference& reference) noexcept;
   void end_program_reference() noexcept;
+  void note_reference(std::size_t axis, double istwert_mm) noexcept;
 
   // channel_tick.cpp
   void move(double tick_s) noexcept;
@@ -123,18 +127,23 @@ class ChannelTick {
   geometry::SourceBlock source_;
   std::uint64_t sequence_ = 0;
   struct Tool {
+    int number = 0;
     double radius_mm = 0, length_mm = 0;
   };
   /// Whence the tool's way is counted for the workpiece: the place and its name when the program started.
   struct CutBase {
     std::array<std::int64_t, 4> steps{};
     std::array<double, 3> mm{};
+    bool is_set = false;
     bool is_new = false;  ///< not told yet
     bool has_gap = false;
   };
   Tool tool_;
   CutBase cut_base_;
   std::array<bool, 3> referenced_{};
+  std::array<std::int64_t, 3> reference_steps_{};
+  std::array<std::int64_t, 4> start_steps_{};
+  std::array<double, 4> start_istwert_mm_{};
   std::uint64_t references_lost_ = 0;
   std::uint8_t limit_axis_ = 0xFF;
   std::uint64_t tick_ = 0, stops_seen_ = 0, orders_ = 0, signals_ = 0, refused_ = 0, dropped_ = 0;

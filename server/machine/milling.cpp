@@ -22,7 +22,7 @@ bool is_alike(const ToolPoint& a, const ToolPoint& b) {
 
 void Milling::begin(const ToolPoint& point) {
   const geometry::Point top_center{point.mm[0], point.mm[1], 0, 0};
-  auto piece = Workpiece::make(spec_, top_center);
+  auto piece = Workpiece::make(fitted(spec_), top_center);
   piece_ = piece ? std::make_unique<Workpiece>(std::move(*piece)) : nullptr;
   events_.clear();
   events_left_off_ = 0;
@@ -44,9 +44,9 @@ void Milling::note(MillingEvent::Kind kind, const ToolPoint& point) {
 
 void Milling::cut_to(const ToolPoint& point) {
   const double radius = std::max(point.radius_mm, piece_->cell_mm() / 2);
-  const Cut cut = piece_->cut(place_of(cut_), place_of(point), radius);
+  const Cut cut = piece_->cut(place_of(cut_), place_of(point), radius, kEdge_mm);
   cut_ = point;
-  if (cut.deepest_mm < kTouch_mm) return;
+  if (cut.contact_mm < kTouch_mm) return;
   if (point.is_rapid) note(MillingEvent::Kind::rapid_in_material, point);
   if (!point.spindle_on) note(MillingEvent::Kind::spindle_off_in_material, point);
 }

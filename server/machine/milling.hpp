@@ -53,6 +53,9 @@ class Milling {
   static constexpr std::size_t kMostEvents = 256;
   /// What changes a cell by less is rounding, not contact.
   static constexpr double kTouch_mm = 0.01;
+  /// The same way again differs by rounding to steps and by where its points were joined: by less than this. It is far
+  /// below half a cell, by which the tool advances in a cut.
+  static constexpr double kEdge_mm = 0.02;
 
   explicit Milling(const WorkpieceSpec& spec) : spec_(spec) {}
 
@@ -63,7 +66,7 @@ class Milling {
   /// Cuts what was joined so far: before looking at the piece.
   void flush();
 
-  /// nullptr before the first program start, and where the spec cannot be made.
+  /// nullptr before the first program start, and where the spec cannot be made. Large ones get larger cells.
   [[nodiscard]] const Workpiece* piece() const { return piece_.get(); }
   [[nodiscard]] const std::vector<MillingEvent>& events() const { return events_; }  ///< one per kind and block
   [[nodiscard]] std::uint64_t events_left_off() const { return events_left_off_; }

@@ -39,15 +39,20 @@ std::string describe_priority(int error) {
   return fmt::format("ordinary scheduling ({})", std::strerror(error));
 }
 
+struct LockedMemory {
+  bool is_locked = false;
+  std::string description;
+};
+
 /// Pages stay once they were touched; untouched ones stay unused (MCL_ONFAULT), so lazily used memory costs nothing.
 /// Only without a limit: with one, later allocations of the whole server would fail.
-std::string lock_memory() {
+LockedMemory lock_memory() {
   rlimit limit{};
   if (getrlimit(RLIMIT_MEMLOCK, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY) {
-    return "memory not locked (RLIMIT_MEMLOCK)";
+    return {false, "memory not locked (RLIMIT_MEMLOCK)"};
   }
-  if (mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0) return "memory locked when used";
-  return fmt::format("memory not locked ({})", std::strerror(errno));
+  if (mlockall(MCL_CURRENT | MCL_FUTURE | MCL_ONFAULT) == 0) return {true, "memory locked when used"};
+  return {false, fmt::format("memory not locked ({})", std::strerror(errno))};
 }
 
 }  // namespace
@@ -60,7 +65,7 @@ struct TickThread::Impl {
   std::atomic<std::uint64_t> ticks{0}, late{0};
   std::atomic<std::int64_t> longest_delay_ns{0};
   std::string privileges;
-  bool is_real_time = false;
+  bool is_real_time = false, has_locked_memory = false;
   std::thread thread;
 
   void run();
@@ -98,7 +103,9 @@ TickThread::TickThread() : impl_(std::make_unique<Impl>()) {
   impl_->thread = std::thread([impl = impl_.get()] { impl->run(); });
   const int error = take_real_time_priority(impl_->thread);
   impl_->is_real_time = error == 0;
-  impl_->privileges = describe_priority(error) + ", " + lock_memory();
+  const LockedMemory memory = lock_memory();
+  impl_->has_locked_memory = memory.is_locked;
+  impl_->privileges = describe_priority(error) + ", " + memory.description;
 }
 
 TickThread::~TickThread() {
@@ -109,6 +116,8 @@ TickThread::~TickThread() {
 const std::string& TickThread::privileges() const { return impl_->privileges; }
 
 bool TickThread::is_real_time() const { return impl_->is_real_time; }
+
+bool TickThread::has_locked_memory() const { return impl_->has_locked_memory; }
 
 bool TickThread::add(std::shared_ptr<Channel> channel) {
   for (std::size_t i = 0; i < kMostChannels; ++i) {

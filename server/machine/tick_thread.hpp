@@ -31,8 +31,9 @@ class TickThread {
 
   /// What was granted of real-time scheduling and memory locking, as one line for the log.
   [[nodiscard]] const std::string& privileges() const;
-  /// Real-time scheduling was granted: where it was not, that line is a warning.
+  /// Real-time scheduling was granted, memory was locked: where one was not, that line is a warning.
   [[nodiscard]] bool is_real_time() const;
+  [[nodiscard]] bool has_locked_memory() const;
 
   /// Takes part in the beat from the next tick on. Lab thread; false when all places are taken.
   [[nodiscard]] bool add(std::shared_ptr<Channel> channel);

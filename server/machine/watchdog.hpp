@@ -35,6 +35,9 @@ class Watchdog {
  public:
   /// A hundred ticks: far more than an ordinary scheduler's delay, and some millimetres of a spindle's way.
   static constexpr std::chrono::milliseconds kLimit{100};
+  /// For a beat without real-time scheduling: a busy computer may hold it up for longer than a hundred ticks. The axes
+  /// stand still meanwhile, since nobody sends them steps.
+  static constexpr std::chrono::milliseconds kPatientLimit{500};
 
   /// beat   outlives the watchdog
   explicit Watchdog(const TickThread& beat, std::chrono::milliseconds limit = kLimit);

@@ -14,6 +14,7 @@ namespace cnclab::machine {
 struct Workpiece::Way {
   geometry::Point from, to;
   double radius = 0;
+  double edge = 0;
   double length_sq = 0;  ///< in X and Y
 
   struct Interval {
@@ -60,6 +61,13 @@ struct Workpiece::Way {
     return interval;
   }
 
+  /// The same way of a tool that is thinner by its edge.
+  [[nodiscard]] Way without_edge() const {
+    Way inner = *this;
+    inner.radius -= std::min(edge, radius / 2);
+    return inner;
+  }
+
   /// Lowest Z of the end while the disc is over the place: at one end of the part of the way that is near enough.
   [[nodiscard]] double lowest_over(double x, double y) const {
     if (length_sq <= 0) return std::min(from.z, to.z);
@@ -74,6 +82,12 @@ struct Workpiece::Way {
     return std::min(from.z + fall * first, from.z + fall * last);
   }
 };
+
+WorkpieceSpec fitted(WorkpieceSpec spec, double most_cells) {
+  const double area_mm2 = std::max(spec.size_mm[0], 0.0) * std::max(spec.size_mm[1], 0.0);
+  spec.cell_mm = std::max(spec.cell_mm, std::sqrt(area_mm2 / most_cells));
+  return spec;
+}
 
 std::expected<Workpiece, WorkpieceError> Workpiece::make(const WorkpieceSpec& spec, const geometry::Point& top_center) {
   const auto& [x, y, z] = spec.size_mm;
@@ -117,22 +131,28 @@ void Workpiece::cut_row(std::size_t row, const Way& way, Cut& cut) {
   if (!(first <= last)) return;
   const bool is_level = way.from.z == way.to.z || way.length_sq <= 0;
   const double level = std::min(way.from.z, way.to.z);
-  float lost = 0, most = 0;
+  float lost = 0, most = 0, contact = 0;
+  std::optional<Way::Interval> inside;
   for (auto column = static_cast<std::size_t>(first); column <= static_cast<std::size_t>(last); ++column) {
     const double z = is_level ? level : way.lowest_over((static_cast<double>(column) + 0.5) * cell_mm_, y);
     const float here = lower(row * columns_ + column, z);
     lost += here;
     most = std::max(most, here);
+    if (here <= contact) continue;
+    if (!inside) inside = way.without_edge().at(y);
+    const double x = (static_cast<double>(column) + 0.5) * cell_mm_;
+    if (x >= inside->low && x <= inside->high) contact = here;
   }
   cut.removed_mm3 += static_cast<double>(lost) * cell_mm_ * cell_mm_;
   cut.deepest_mm = std::max(cut.deepest_mm, static_cast<double>(most));
+  cut.contact_mm = std::max(cut.contact_mm, static_cast<double>(contact));
 }
 
-Cut Workpiece::cut(const geometry::Point& from, const geometry::Point& to, double radius_mm) {
+Cut Workpiece::cut(const geometry::Point& from, const geometry::Point& to, double radius_mm, double edge_mm) {
   const auto inside = [this](const geometry::Point& p) {
     return geometry::Point{p.x - corner_.x, p.y - corner_.y, p.z - corner_.z, 0};
   };
-  Way way{inside(from), inside(to), radius_mm, 0};
+  Way way{inside(from), inside(to), radius_mm, edge_mm, 0};
   Cut cut;
   if (std::min(way.from.z, way.to.z) >= full_height_mm_) return cut;
   way.length_sq = (to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y);

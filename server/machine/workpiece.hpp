@@ -6,6 +6,8 @@
 //  2. A cell is cut when its centre lies within the tool's radius of the way; then it stands no higher than the lowest
 //     point that the tool's end had while it was over it. So holes are right within a cell, edges within half of one.
 //  3. Coordinates are those of the path: Istwert coordinates of the run's start. The piece does not move.
+//  4. Contact is what the tool takes away inside its edge, whose width the caller knows: on a way that it has gone
+//     before, with other roundings or chords, the edge always finds some cells again.
 // A plain value: copies are cut independently (graphic test run).
 #pragma once
 
@@ -25,12 +27,19 @@ struct WorkpieceSpec {
   double cell_mm = 0.25;                       ///< side of a cell, > 0
 };
 
+/// The cells of a live workpiece, about: 1.6 MB (`fitted`).
+inline constexpr double kUsualCells = 400'000;
+
+/// The same piece with cells so large that there are about `most_cells` at most.
+[[nodiscard]] WorkpieceSpec fitted(WorkpieceSpec spec, double most_cells = kUsualCells);
+
 enum class WorkpieceError { not_positive, too_many_cells };
 
 /// What one way of the tool took away.
 struct Cut {
   double removed_mm3 = 0;
   double deepest_mm = 0;  ///< by how much the cell that lost most became lower
+  double contact_mm = 0;  ///< the same, of the cells inside the tool's edge (rule 4)
 };
 
 class Workpiece {
@@ -44,7 +53,8 @@ class Workpiece {
                                                                      const geometry::Point& top_center);
 
   /// The tool's end goes straight from `from` to `to`.
-  Cut cut(const geometry::Point& from, const geometry::Point& to, double radius_mm);
+  /// edge_mm   so far inside the radius nothing counts as contact, of thin tools half the radius
+  Cut cut(const geometry::Point& from, const geometry::Point& to, double radius_mm, double edge_mm);
 
   [[nodiscard]] std::size_t columns() const { return columns_; }  ///< along X
   [[nodiscard]] std::size_t rows() const { return rows_; }        ///< along Y

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <utility>
 
 namespace cnclab::machine {
 
@@ -19,12 +20,33 @@ bool MillingSite::work(std::size_t most) {
   for (std::size_t i = 0; i < most; ++i) {
     const auto point = feed_.ring.pop();
     if (!point) {
-      milling_.flush();
+      if (i == 0) milling_.flush();  // the tool stands; else the next points are joined to these
+      tell_news();
       return false;
     }
+    if (point->begins_run) tell_news();
     milling_.take(*point);
+    if (point->begins_run) told_ = 0;
   }
+  tell_news();
   return true;
+}
+
+/// A few short records at most, so whoever takes them waits for next to nothing.
+void MillingSite::tell_news() {
+  const auto& events = milling_.events();
+  if (told_ == events.size()) return;
+  const std::lock_guard lock(news_mutex_);
+  news_.insert(news_.end(), events.begin() + static_cast<std::ptrdiff_t>(told_), events.end());
+  told_ = events.size();
+  has_news_.store(true, std::memory_order_release);
+}
+
+std::vector<MillingEvent> MillingSite::take_news() {
+  if (!has_news_.load(std::memory_order_acquire)) return {};
+  const std::lock_guard lock(news_mutex_);
+  has_news_.store(false, std::memory_order_relaxed);
+  return std::exchange(news_, {});
 }
 
 void MillingSite::set_spec(const WorkpieceSpec& spec) {
@@ -32,14 +54,16 @@ void MillingSite::set_spec(const WorkpieceSpec& spec) {
   milling_.set_spec(spec);
 }
 
-std::optional<Workpiece> MillingSite::piece() const {
+std::optional<Workpiece> MillingSite::piece() {
   const std::lock_guard lock(mutex_);
+  milling_.flush();
   if (milling_.piece() == nullptr) return std::nullopt;
   return *milling_.piece();
 }
 
-std::vector<MillingEvent> MillingSite::events() const {
+std::vector<MillingEvent> MillingSite::events() {
   const std::lock_guard lock(mutex_);
+  milling_.flush();
   return milling_.events();
 }
 

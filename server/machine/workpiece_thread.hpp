@@ -1,6 +1,7 @@
 // The thread that removes material, so that neither the tick nor the lab waits for it.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
 #include <cstdint>
 #include <memory>
@@ -25,14 +26,22 @@ class MillingSite {
   // Any thread.
   void set_spec(const WorkpieceSpec& spec);
   /// A copy of the piece as far as it is worked; nothing before the first program start.
-  [[nodiscard]] std::optional<Workpiece> piece() const;
-  [[nodiscard]] std::vector<MillingEvent> events() const;
+  [[nodiscard]] std::optional<Workpiece> piece();
+  [[nodiscard]] std::vector<MillingEvent> events();
+  /// The events that came since the last call. Waits for no work: nothing while there are none.
+  [[nodiscard]] std::vector<MillingEvent> take_news();
   [[nodiscard]] std::uint64_t dropped() const { return feed_.dropped.load(std::memory_order_relaxed); }
 
  private:
+  void tell_news();
+
   CutFeed feed_;
-  mutable std::mutex mutex_;
+  std::mutex mutex_;
   Milling milling_;
+  std::size_t told_ = 0;  ///< of the piece's events
+  std::atomic<bool> has_news_{false};
+  std::mutex news_mutex_;  ///< never held while cutting
+  std::vector<MillingEvent> news_;
 };
 
 class WorkpieceThread {

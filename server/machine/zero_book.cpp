@@ -15,12 +15,13 @@ void ZeroBook::keep(std::int64_t student, const Snapshot& now) {
 }
 
 std::optional<std::array<double, 3>> ZeroBook::istwert(std::int64_t student, const Snapshot& now) const {
+  if (!now.is_referenced) return std::nullopt;
   const auto kept = zeros_.find(student);
-  if (kept == zeros_.end() || !now.is_referenced) return std::nullopt;
-  if (kept->second.references_lost != now.references_lost) return std::nullopt;
+  const bool is_own = kept != zeros_.end() && kept->second.references_lost == now.references_lost;
   std::array<double, 3> mm{};
   for (std::size_t i = 0; i < 3; ++i) {
-    mm[i] = (static_cast<double>(now.steps[i]) - kept->second.steps[i]) / per_mm_[i];
+    const double zero_steps = is_own ? kept->second.steps[i] : static_cast<double>(now.reference_steps[i]);
+    mm[i] = (static_cast<double>(now.steps[i]) - zero_steps) / per_mm_[i];
   }
   return mm;
 }
@@ -28,12 +29,6 @@ std::optional<std::array<double, 3>> ZeroBook::istwert(std::int64_t student, con
 void ZeroBook::set_steps_per_mm(const std::array<double, 3>& steps_per_mm) {
   per_mm_ = steps_per_mm;
   zeros_.clear();
-}
-
-bool ZeroConfirmation::asks(Epoch lease, bool has_absolute_motion) {
-  if (!has_absolute_motion || asked_ == lease) return false;
-  asked_ = lease;
-  return true;
 }
 
 }  // namespace cnclab::machine

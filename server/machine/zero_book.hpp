@@ -22,8 +22,9 @@ class ZeroBook {
   /// The student leaves the machine at rest: keeps what its place is called. Nothing is kept while unreferenced, and
   /// what was kept before is forgotten then.
   void keep(std::int64_t student, const Snapshot& now);
-  /// The Istwert of X, Y, Z that the student would read where the machine stands now; nothing where there is no zero or
-  /// it is void. To be set with `SetIstwert` when the student is connected.
+  /// The Istwert of X, Y, Z that the student reads where the machine stands now: by the own zero, and where there is
+  /// none or it is void by the machine's, which is 0 at the reference point. Nothing while unreferenced. To be set with
+  /// `SetIstwert` when the student is connected.
   [[nodiscard]] std::optional<std::array<double, 3>> istwert(std::int64_t student, const Snapshot& now) const;
   /// New machine data: all zeros are void.
   void set_steps_per_mm(const std::array<double, 3>& steps_per_mm);
@@ -36,16 +37,6 @@ class ZeroBook {
 
   std::array<double, 3> per_mm_;
   std::map<std::int64_t, Zero> zeros_;
-};
-
-/// The first START under a lease of a program with G90 motion asks for the zero's confirmation by a second START.
-class ZeroConfirmation {
- public:
-  /// True: this START only asks. The next one under the same lease is let through.
-  [[nodiscard]] bool asks(Epoch lease, bool has_absolute_motion);
-
- private:
-  Epoch asked_{};
 };
 
 }  // namespace cnclab::machine

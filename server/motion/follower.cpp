@@ -61,6 +61,7 @@ void Follower::begin(std::uint64_t run, const geometry::Point& position, const L
   position_ = position;
   speed_ = way_ = odometer_ = 0;
   sequence_ = finished_sequence_ = 0;
+  rest_due_ = false;  // every run begins alike, whatever ended the one before: it can be replayed
   free_row_ = {};
   forget_hold();
   drop_old_runs();

@@ -84,18 +84,19 @@ void begin_run(AutomatMode& mode, ControlState& state) {
   mode.has_ended = false;
   prepare_start(mode, state);
   if (must_confirm_zero(mode, state)) return;
-  RunOrder order{mode.programs,
-                 {.program = mode.program_number(),
-                  .block = mode.block_number(),
-                  .position = istwert_of(state.machine()),
-                  .modal = mode.first_modal,
-                  .parameters = state.parameters,
-                  .compensation_mm = state.compensation_mm},
-                 state.effective_data(),
-                 state.settings.vocabulary,
-                 state.settings.io_cards,
-                 state.settings.rests_accumulate,
-                 state.settings.long_work};
+  RunOrder order{.programs = mode.programs,
+                 .start = {.program = mode.program_number(),
+                           .block = mode.block_number(),
+                           .position = istwert_of(state.machine()),
+                           .modal = mode.first_modal,
+                           .parameters = state.parameters,
+                           .compensation_mm = state.compensation_mm},
+                 .data = state.effective_data(),
+                 .vocabulary = state.settings.vocabulary,
+                 .io_cards = state.settings.io_cards,
+                 .rests_accumulate = state.settings.rests_accumulate,
+                 .long_work = state.settings.long_work,
+                 .tools = tools_at(state)};
   state.connection.channel->set_single_block(mode.single_block);
   const auto begun = state.run.begin(state.connection, std::move(order));
   if (!begun) {

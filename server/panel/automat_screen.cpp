@@ -56,6 +56,7 @@ void draw(const AutomatMode& mode, const ControlState& state, Monitor& monitor) 
                                                                               : state.modal;
   draw_state_lines(modal, state, kHighStartRow, monitor);
   draw_istwerte(state.machine(), monitor);
+  draw_tool_due(state.run, state.tongue(), monitor);
   draw_prompts(mode, state, monitor);
   draw_window(mode, state, modal, monitor);
 }
@@ -74,6 +75,7 @@ std::string sentence_of(const AutomatMode& mode, const ControlState& state) {
     case Run::State::running:
       return text(Text::wait_running, tongue, {program, block});
     case Run::State::waiting:
+      if (const int tool = state.run.tool_due(); tool != 0) return tool_sentence(tool, tongue);
       return text(state.machine().cause == machine::StopCause::waiting_for_input ? Text::wait_input : Text::wait_halt,
                   tongue, {program, block});
     case Run::State::braking:

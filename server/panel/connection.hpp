@@ -2,9 +2,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "machine/channel.hpp"
 #include "machine/machine_data.hpp"
+#include "machine/tool_list.hpp"
 
 namespace cnclab::panel {
 
@@ -12,8 +14,9 @@ struct Connection {
   std::shared_ptr<machine::Channel> channel;
   machine::Epoch epoch{};
   bool is_lab_machine = false;
-  machine::MachineData lab_data;    ///< the lab machine's own, only where is_lab_machine
-  bool requires_reference = false;  ///< without a reference only HANDBETRIEB moves (DEC-27)
+  machine::MachineData lab_data;             ///< the lab machine's own, only where is_lab_machine
+  bool requires_reference = false;           ///< without a reference only HANDBETRIEB moves (DEC-27)
+  std::optional<machine::ToolList> tools{};  ///< as the instructor keeps it; nothing: it is not asked for (DEC-29)
 };
 
 }  // namespace cnclab::panel

@@ -8,6 +8,7 @@
 #include "panel/control_impl.hpp"
 #include "panel/key_table.hpp"
 #include "panel/remote_line.hpp"
+#include "panel/run_end.hpp"
 #include "panel/screen_frame.hpp"
 #include "panel/state_json.hpp"
 
@@ -60,6 +61,13 @@ bool is_labs_own(Key key) {
 
 constexpr int kBeeperDatum = 22;
 
+/// The machine that is about to be taken away may have run onto a switch while it braked for the lease.
+void tell_limit_of_lost_lease(ControlState& state) {
+  const machine::StopCause cause = state.machine().cause;
+  const bool is_lost = cause == machine::StopCause::lease_ended || cause == machine::StopCause::lease_expired;
+  if (is_lost && state.machine().limit_axis < state.machine().limit.size()) tell_break(state, cause);
+}
+
 /// What the effect has to know of its key: the digit, or which of the six direction keys.
 int figure_of(Effect effect, Key key) {
   if (effect == Effect::direction) return static_cast<int>(key) - static_cast<int>(Key::PLUS_X);
@@ -81,6 +89,8 @@ void Control::connect(Connection connection) {
   const bool serves = mode == Mode::machine_data || mode == Mode::memory_test;
   const bool falls_back = drives || (serves && connection.is_lab_machine);  // AUTH-003, DEC-39
   Outcome outcome;
+  const bool leaves_lab_machine = state.connection.is_lab_machine;
+  if (leaves_lab_machine) tell_limit_of_lost_lease(state);
   if (falls_back) impl_->change_mode(Mode::menu, outcome);
   state.connection = std::move(connection);
   // AUTH-003: G40 G45 G74 M20 become active; spindle and coolant are off.
@@ -94,8 +104,10 @@ void Control::connect(Connection connection) {
   modal.coolant = power_on.coolant;
   state.compensation_mm = {};
   state.taught = {};  // positions of another machine mean nothing here
-  state.message = {};
-  if (had_run) state.message.sentence = text(Text::said_connected, state.tongue());
+  // What ended the motion that this change has cut off is still to be told: `Endschalter` with its axis (ERR-020).
+  const bool is_limit_told = leaves_lab_machine && state.message.monitor == text(Text::limit_switch, state.tongue());
+  if (!is_limit_told) state.message = {};
+  if (had_run && !is_limit_told) state.message.sentence = text(Text::said_connected, state.tongue());
   impl_->signals_heard = state.machine().signals;
   state.is_zero_confirmed = false;
   if (auto* external = std::get_if<ExternalDataMode>(&impl_->active)) external->armed.reset();  // of another lease
@@ -294,7 +306,15 @@ void Control::tell_data_restored() {
   state.complain(language::ErrorCode::checksum_wrong, std::string(text(Text::said_data_restored, state.tongue())));
 }
 
+void Control::set_workpiece(const machine::WorkpieceSpec& spec) { impl_->state.settings.workpiece = spec; }
+
+const machine::WorkpieceSpec& Control::workpiece() const { return impl_->state.settings.workpiece; }
+
+void Control::tell_milling(const machine::MillingEvent& event) { panel::tell_milling(impl_->state, event); }
+
 const Memory& Control::memory() const { return impl_->state.memory; }
+
+const machine::MachineData& Control::data() const { return impl_->state.data; }
 
 int Control::override_percent() const { return impl_->state.override_percent; }
 

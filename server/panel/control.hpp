@@ -20,6 +20,7 @@
 #include "language/block_form.hpp"
 #include "machine/channel.hpp"
 #include "machine/machine_data.hpp"
+#include "machine/milling.hpp"
 #include "panel/connection.hpp"
 #include "panel/long_work.hpp"
 #include "panel/media.hpp"
@@ -48,6 +49,7 @@ struct Settings {
   bool rests_accumulate = false;                   ///< rests below one step add up as on the original (DEC-05)
   LongWork long_work = do_at_once;                 ///< who does what a START waits for
   LongWork picture_work = do_at_once;              ///< … and what may take its time: test runs, printed pages
+  machine::WorkpieceSpec workpiece{};              ///< that GRAFIK cuts (DEC-24)
 };
 
 /// Local date and time for the header line (DEC-10).
@@ -209,12 +211,19 @@ class Control {
   [[nodiscard]] int take_beeps();
   [[nodiscard]] bool alarm_tone() const;
 
+  /// The workpiece of the next graphic test (DEC-24).
+  void set_workpiece(const machine::WorkpieceSpec& spec);
+  [[nodiscard]] const machine::WorkpieceSpec& workpiece() const;
+  /// Row 18 tells what the tool did that it must not.
+  void tell_milling(const machine::MillingEvent& event);
+
   /// A fault of the CMOS RAM for the memory test to find (ERR-034).
   void set_ram_fault(bool is_faulty);
   /// The stored machine data had a wrong check code: those of the ROM hold now, and the screen says so (ERR-014).
   void tell_data_restored();
 
   [[nodiscard]] const Memory& memory() const;
+  [[nodiscard]] const machine::MachineData& data() const;  ///< the student's own
   [[nodiscard]] int override_percent() const;
   /// Modal state, parameters, Istwert, mode, half-filled line as JSON (SEAT-002, SEAT-004), and back: always in STOP.
   [[nodiscard]] std::string save_state() const;

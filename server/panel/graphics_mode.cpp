@@ -38,7 +38,8 @@ testrun::TestOrder order_of(const ControlState& state, const language::Program& 
                                      .parameters = state.parameters,
                                      .compensation_mm = state.compensation_mm},
                            .data = data,
-                           .workpiece = drawing::standard_workpiece(istwert_of(machine))};
+                           .workpiece = drawing::workpiece_under(istwert_of(machine), state.settings.workpiece.size_mm),
+                           .cell_mm = state.settings.workpiece.cell_mm};
   order.start.modal.spindle = machine.spindle;
   order.travel = travel_of(machine, data, order.start.position);
   return order;

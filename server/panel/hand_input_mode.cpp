@@ -102,6 +102,7 @@ void draw(const HandInputMode& mode, const ControlState& state, Monitor& monitor
   draw_start_and_stop(is_start_state(place_of(mode, state)), kLowStartRow, monitor);
   draw_state_lines(state.run.is_present() ? state.run.modal() : state.modal, state, kLowStartRow, monitor);
   draw_istwerte(state.machine(), monitor);
+  draw_tool_due(state.run, state.tongue(), monitor);
   mode.line.draw(monitor, kLineRow, mode.plane, state.tongue(), EntryLine::Style::without_number);
 }
 
@@ -112,6 +113,7 @@ std::string sentence_of(const HandInputMode& mode, const ControlState& state) {
       return std::string(
           text(state.run.state() == Run::State::braking ? Text::wait_axes_brake : Text::wait_input_running, tongue));
     case Place::input_waiting:
+      if (const int tool = state.run.tool_due(); tool != 0) return tool_sentence(tool, tongue);
       return std::string(text(Text::wait_input_waiting, tongue));
     case Place::input_rest:
       return std::string(text(Text::wait_input_rest, tongue));

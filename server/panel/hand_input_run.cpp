@@ -100,7 +100,8 @@ void execute_line(HandInputMode& mode, ControlState& state) {
                  .io_cards = {state.settings.io_cards[0], state.settings.io_cards[1], false},
                  .rests_accumulate = state.settings.rests_accumulate,
                  .long_work = state.settings.long_work,
-                 .is_single_function = true};
+                 .is_single_function = true,
+                 .tools = tools_at(state)};
   const auto begun = state.run.begin(state.connection, std::move(order));
   if (begun) return;
   mark_word(mode, begun.error().word);

@@ -20,4 +20,8 @@ void draw_state_lines(const program::ModalState& modal, const ControlState& stat
 
 inline constexpr int kIstwertColumn = 51;
 
+/// `Werkzeug Tnn einsetzen` on the last line while a run waits for it, and the sentence for row 18 (DEC-29).
+void draw_tool_due(const Run& run, language::Tongue tongue, Monitor& monitor);
+[[nodiscard]] std::string tool_sentence(int tool, language::Tongue tongue);
+
 }  // namespace cnclab::panel

@@ -44,6 +44,24 @@ bool is_alarm(const geometry::PathItem& item) {
   return halt != nullptr && halt->signal;
 }
 
+/// Only the lab's machine has machine coordinates, and only while it is referenced (DEC-27, D-116).
+std::optional<std::array<double, 3>> known_place(const Connection& connection,
+                                                 const std::array<double, 4>& steps_per_mm) {
+  const machine::Snapshot now = connection.channel->snapshot();
+  if (!connection.is_lab_machine || !now.is_referenced) return std::nullopt;
+  std::array<double, 3> mm{};
+  for (std::size_t axis = 0; axis < mm.size(); ++axis)
+    mm[axis] = static_cast<double>(now.steps[axis]) / steps_per_mm[axis];
+  return mm;
+}
+
+/// What START finds called, as its table has it now.
+geometry::ToolChange tool_in_force(const RunOrder& order) {
+  const int number = order.start.modal.tool;
+  const program::ToolData tool = order.programs.tool(number).value_or(program::ToolData{});
+  return {.number = number, .radius_mm = language::to_mm(tool.radius), .length_mm = language::to_mm(tool.length)};
+}
+
 bool acts_at_block_start(int m) { return m == 3 || m == 4 || m == 8 || m == 13 || m == 14; }  // M-900
 
 }  // namespace
@@ -66,6 +84,7 @@ std::expected<void, language::Error> Run::begin(const Connection& connection, Ru
   if (!source) return std::unexpected(source.error());
   *this = Run{};
   connection_ = connection;
+  if (!order.machine_mm) order.machine_mm = known_place(connection, settings.steps_per_mm);
   order_ = std::make_shared<const RunOrder>(std::move(order));
   source_ = std::move(*source);
   steps_per_mm_ = settings.steps_per_mm;
@@ -86,7 +105,8 @@ std::expected<void, language::Error> Run::conclude_check(const Preflight::Result
 }
 
 std::expected<void, language::Error> Run::launch() {
-  if (connection_.is_lab_machine && seen_.is_referenced) guard_.emplace(seen_, order_->data, order_->start.position);
+  if (order_->machine_mm) guard_.emplace(*order_->machine_mm, order_->data, order_->start.position);
+  tools_.emplace(order_->tools, tool_in_force(*order_));
   static_cast<void>(prepare_block());
   if (failure_) {
     auto error = std::unexpected(std::move(*failure_));
@@ -95,7 +115,8 @@ std::expected<void, language::Error> Run::launch() {
   }
   const motion::Limits limits = machine::motion_limits(order_->data);
   look_ahead_s_ = kLeastLookAhead_s + limits.f_max_mm_per_s / limits.stop_deceleration_mm_per_s2;
-  motion::Planner* planner = connection_.channel->begin_run(connection_.epoch, order_->start.position);
+  motion::Planner* planner =
+      connection_.channel->begin_run(connection_.epoch, order_->start.position, !order_->is_single_function);
   if (planner != nullptr) {
     run_ = planner->run();
     feed();
@@ -119,6 +140,7 @@ bool Run::prepare_block() {
   auto executed = source_->step(items_);
   geometry::run_in_step_grid(items_, steps_per_mm_);
   guard_travel();
+  guard_tools();
   if (executed) guard_contours(*executed);
   if (!executed && !failure_) failure_ = executed.error();
   if (!executed) return true;
@@ -161,6 +183,11 @@ void Run::guard_travel() {
   }
 }
 
+/// Behind the travel: what is left of the items then comes before its fault.
+void Run::guard_tools() {
+  if (auto error = tools_->guard(items_)) failure_ = std::move(error);
+}
+
 /// Input 1 for G21 and G23 as it was two blocks before (D-56). A block that cannot begin because its own end depends on
 /// the answer (a compensated way is held back until the next is known) begins with it: then the input counts now.
 bool Run::answer_input() {
@@ -201,6 +228,7 @@ void Run::feed() {
 void Run::forget_done_blocks() {
   const std::uint64_t still_needed = std::min(seen_.finished_sequence, seen_.sequence);
   while (records_.size() > 1 && records_.front().block.sequence < still_needed) records_.pop_front();
+  tools_->forget_before(still_needed);
 }
 
 const Run::Record* Run::record(std::uint64_t sequence) const {
@@ -266,6 +294,13 @@ std::optional<RunEnd> Run::poll_check() {
   const auto begun = conclude_check(*result);
   if (begun) return std::nullopt;
   return RunEnd{RunEnd::Kind::failed, StopCause::none, begun.error(), modal, parameters, {}};
+}
+
+void Run::feed_replay() {
+  if (!is_present() || is_checking()) return;
+  look();
+  feed();
+  forget_done_blocks();
 }
 
 std::optional<RunEnd> Run::poll() {
@@ -334,9 +369,16 @@ const program::Parameters& Run::parameters() const {
 }
 
 bool Run::sounds_alarm() const {
-  if (state() != State::waiting || seen_.cause != StopCause::programmed_halt) return false;
+  if (state() != State::waiting || seen_.cause != StopCause::programmed_halt || tool_due() != 0) return false;
   const Record* current = record(seen_.sequence);
   return current != nullptr && current->has_alarm;
+}
+
+/// A halt of the block's own comes behind the tool's: then it is in the spindle already.
+int Run::tool_due() const {
+  if (state() != State::waiting || seen_.cause != StopCause::programmed_halt) return 0;
+  const int due = tools_->due(seen_.sequence);
+  return due == seen_.tool ? 0 : due;
 }
 
 }  // namespace cnclab::panel

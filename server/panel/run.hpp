@@ -22,6 +22,7 @@
 #include "panel/connection.hpp"
 #include "panel/long_work.hpp"
 #include "panel/preflight.hpp"
+#include "panel/tool_guard.hpp"
 #include "panel/travel_guard.hpp"
 #include "program/path_source.hpp"
 
@@ -37,6 +38,10 @@ struct RunOrder {
   bool rests_accumulate = false;                   ///< as the original (D-115)
   LongWork long_work = do_at_once;                 ///< who checks the contours
   bool is_single_function = false;  ///< HANDEINGABE: its end is no end of a program, spindle and coolant stay (DEC-38)
+  /// Where X, Y, Z stand from the middle of their travel, on a machine that knows: then its travel is guarded
+  /// (AUTH-011). Filled by `Run::begin`.
+  std::optional<std::array<double, 3>> machine_mm{};
+  std::optional<machine::ToolList> tools{};  ///< of the machine, with what is in the spindle (DEC-29); nothing: any may
 };
 
 /// How a run ended, and the state to go on with: that of the block really executed, not of the one read ahead.
@@ -79,6 +84,8 @@ class Run {
 
   /// Feeds the path and follows the machine; returns how the run ended when it did.
   std::optional<RunEnd> poll();
+  /// As `poll`, but ends nothing: for a replay, whose stops come from its record.
+  void feed_replay();
 
   [[nodiscard]] State state() const;
   [[nodiscard]] bool is_present() const { return source_.has_value(); }
@@ -91,6 +98,8 @@ class Run {
   /// What it was begun with; nullptr where none is present. Another run has another one.
   [[nodiscard]] const std::shared_ptr<const RunOrder>& order() const { return order_; }
   [[nodiscard]] bool sounds_alarm() const;  ///< M01 waits for START
+  /// The tool that is to be put in before START goes on (DEC-29); 0: none.
+  [[nodiscard]] int tool_due() const;
 
  private:
   /// A block that was executed ahead of the machine.
@@ -110,6 +119,7 @@ class Run {
   void guard_contours(const program::ExecutedBlock& executed);
   [[nodiscard]] bool answer_input();
   void guard_travel();
+  void guard_tools();
   void feed();
   void forget_done_blocks();
   [[nodiscard]] bool is_far_enough_ahead() const;
@@ -134,6 +144,7 @@ class Run {
   std::optional<program::PathSource> source_;
   std::array<double, 4> steps_per_mm_{};
   std::optional<TravelGuard> guard_;
+  std::optional<ToolGuard> tools_;
   std::vector<geometry::PathItem> items_;  ///< the newest finished ones, from `next_item_` still to be appended
   std::size_t next_item_ = 0;
   std::deque<Record> records_;

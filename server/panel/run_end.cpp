@@ -3,6 +3,8 @@
 
 #include <string_view>
 
+#include "testrun/finding.hpp"
+
 namespace cnclab::panel {
 
 namespace {
@@ -24,6 +26,8 @@ language::Error without_place(language::Error error) {
 }
 
 void tell_break(ControlState& state, machine::StopCause cause) {
+  const bool is_on_switch = state.machine().limit_axis < kAxes.size();
+  if (is_on_switch && cause != machine::StopCause::limit_switch) return tell_limit_switch(state);
   switch (cause) {
     case machine::StopCause::limit_switch:
       return tell_limit_switch(state);
@@ -46,6 +50,20 @@ void tell_break(ControlState& state, machine::StopCause cause) {
     case machine::StopCause::error:
       return;
   }
+}
+
+void tell_milling(ControlState& state, const machine::MillingEvent& event) {
+  if (!state.message.monitor.empty()) return;
+  testrun::Finding finding{.block = event.source};
+  switch (event.kind) {
+    case machine::MillingEvent::Kind::rapid_in_material:
+      finding.kind = testrun::Finding::Kind::rapid_in_material;
+      break;
+    case machine::MillingEvent::Kind::spindle_off_in_material:
+      finding.kind = testrun::Finding::Kind::spindle_off_in_material;
+      break;
+  }
+  state.message.sentence = testrun::explain(finding, state.tongue());
 }
 
 }  // namespace cnclab::panel

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 
+#include "machine/milling.hpp"
 #include "panel/control_state.hpp"
 
 namespace cnclab::panel {
@@ -16,7 +17,11 @@ namespace cnclab::panel {
 /// An error of a block that has no place in a program (HANDEINGABE).
 [[nodiscard]] language::Error without_place(language::Error error);
 
-/// Row 18 for what the machine or the lab broke off; after a limit switch also the monitor's last line.
+/// Row 18 for what the machine or the lab broke off. An axis that ran onto its switch stands on the monitor's last line
+/// too, whatever had begun to stop it before.
 void tell_break(ControlState& state, machine::StopCause cause);
+
+/// Row 18 for what the tool did to the workpiece in a block, or by hand. What the monitor complains of stays.
+void tell_milling(ControlState& state, const machine::MillingEvent& event);
 
 }  // namespace cnclab::panel

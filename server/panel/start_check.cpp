@@ -23,6 +23,12 @@ bool may_run(ControlState& state) {
   return may_move(state);
 }
 
+std::optional<machine::ToolList> tools_at(const ControlState& state) {
+  std::optional<machine::ToolList> tools = state.connection.tools;
+  if (tools) tools->set_in_spindle(state.machine().tool);
+  return tools;
+}
+
 geometry::Point istwert_of(const machine::Snapshot& machine) {
   const auto& mm = machine.istwert_mm;
   return {mm[0], mm[1], mm[2], mm[3]};

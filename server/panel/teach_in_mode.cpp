@@ -5,6 +5,7 @@
 
 #include "language/check_block.hpp"
 #include "panel/line_keys.hpp"
+#include "panel/start_check.hpp"
 
 namespace cnclab::panel {
 
@@ -99,6 +100,9 @@ void press_line(TeachInMode& mode, ControlState& state, Effect effect, int figur
       return mode.line.next_word();
     case Effect::store:
       return store_line(mode, state);
+    case Effect::start:
+      if (!may_run(state)) return;  // unreferenced only HANDBETRIEB moves (DEC-27)
+      return press(mode.driving, state, effect, figure);
     default:
       return press(mode.driving, state, effect, figure);
   }

@@ -8,6 +8,7 @@ namespace {
 constexpr std::array<TextRow, kTexts> kTable{{
     {Text::program_number, "PROGRAMM NR ", "PROGRAM NO "},
     {Text::limit_switch, "Endschalter", "Limit switch"},
+    {Text::insert_tool, "Werkzeug T{} einsetzen", "Insert tool T{}"},
     {Text::not_stored, "Nicht gespeichert", "Not stored"},
     {Text::no_programs, "Keine Programme", "No programs"},
     {Text::program_erased, "PROGRAMM GELOESCHT", "PROGRAM ERASED"},
@@ -241,6 +242,8 @@ constexpr std::array<TextRow, kTexts> kTable{{
     {Text::wait_memory_running, "Der Speicher wird mit Mustern geprüft. RESET beendet den Test.",
      "The memory is being tested with patterns. RESET ends the test."},
 
+    {Text::wait_tool, "Werkzeug T{} einsetzen, dann START. STOP hält das Programm hier an.",
+     "Put in tool T{}, then START. STOP stops the program here."},
     {Text::said_limit_switch, "Endschalter {} erreicht: Programm abgebrochen, Achse freigefahren, ihr Istwert ist 0.",
      "Limit switch {} reached: program abandoned, axis driven free, its actual value is 0."},
     {Text::said_power_off, "Die Antriebe wurden abgeschaltet: abgebrochen.",

@@ -17,6 +17,7 @@ enum class Text : std::uint16_t {
   // The monitor
   program_number,
   limit_switch,
+  insert_tool,
   not_stored,
   no_programs,
   program_erased,
@@ -195,6 +196,7 @@ enum class Text : std::uint16_t {
   wait_memory_list,
   wait_memory_confirm,
   wait_memory_running,
+  wait_tool,
   // Row 18: what was wrong, what to do
   said_limit_switch,
   said_power_off,

@@ -17,8 +17,8 @@ namespace {
 using geometry::Point;
 
 constexpr std::array<double Point::*, 3> kAxes{&Point::x, &Point::y, &Point::z};
-constexpr int kFirstTravel = 3, kFirstSteps = 14;  // MD 03..05 and 14..16
-constexpr double kRounding_mm = 1e-6;              // a way that ends exactly on the limit is allowed
+constexpr int kFirstTravel = 3;        // MD 03..05
+constexpr double kRounding_mm = 1e-6;  // a way that ends exactly on the limit is allowed
 
 /// The points of an arc with the greatest and least coordinates: its ends and each quarter turn between them.
 std::vector<Point> extremes_of(const geometry::Arc& arc) {
@@ -44,12 +44,11 @@ std::string millimetres(double value) {
 
 }  // namespace
 
-TravelGuard::TravelGuard(const machine::Snapshot& snapshot, const machine::MachineData& data, const Point& start) {
+TravelGuard::TravelGuard(const std::array<double, 3>& machine_mm, const machine::MachineData& data,
+                         const Point& start) {
   for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
-    const int number = static_cast<int>(axis);
-    half_travel_[axis] = static_cast<double>(data.get(kFirstTravel + number)) / 2000.0;
-    place(axis, start.*kAxes[axis],
-          static_cast<double>(snapshot.steps[axis]) / static_cast<double>(data.get(kFirstSteps + number)));
+    half_travel_[axis] = static_cast<double>(data.get(kFirstTravel + static_cast<int>(axis))) / 2000.0;
+    place(axis, start.*kAxes[axis], machine_mm[axis]);
   }
 }
 

@@ -9,16 +9,15 @@
 
 #include "geometry/path_item.hpp"
 #include "language/error.hpp"
-#include "machine/channel.hpp"
 #include "machine/machine_data.hpp"
 
 namespace cnclab::panel {
 
 class TravelGuard {
  public:
-  /// start   path coordinates of the point where the machine stands in `snapshot`
-  /// The machine's coordinates count from the middle of its travel (DEC-23).
-  TravelGuard(const machine::Snapshot& snapshot, const machine::MachineData& data, const geometry::Point& start);
+  /// machine_mm   where X, Y, Z stand, from the middle of their travel (DEC-23)
+  /// start        what the path calls that place
+  TravelGuard(const std::array<double, 3>& machine_mm, const machine::MachineData& data, const geometry::Point& start);
 
   /// Takes the items in the order of the path: a reference run (G69) tells where its axes stand afterwards.
   /// returns  the error of a line or arc that leaves the travel anywhere on its way; nothing for everything else

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cctype>
+
+#include "language/block.hpp"
+
 namespace cnclab::testrun {
 
 namespace {
@@ -61,8 +65,13 @@ std::string english(const Finding& finding) {
 
 std::string explain(const Finding& finding, language::Tongue tongue) {
   if (finding.error) return language::explain(*finding.error, tongue);
-  return fmt::format("P{:04} N{:03}: {}", finding.block.program, finding.block.block,
-                     tongue == language::Tongue::german ? german(finding) : english(finding));
+  std::string sentence = tongue == language::Tongue::german ? german(finding) : english(finding);
+  const bool is_stored = finding.block.program != 0 && finding.block.program <= language::kLastProgram;
+  if (!is_stored) {  // by hand, or the line of HANDEINGABE
+    sentence.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence.front())));
+    return sentence;
+  }
+  return fmt::format("P{:04} N{:03}: {}", finding.block.program, finding.block.block, sentence);
 }
 
 }  // namespace cnclab::testrun

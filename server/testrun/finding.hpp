@@ -28,7 +28,7 @@ struct Finding {
   std::optional<language::Error> error = {};  ///< error
 };
 
-/// "P0001 N003: …" and what to do about it.
+/// "P0001 N003: …" and what to do about it; without the place where the block is not of a stored program.
 [[nodiscard]] std::string explain(const Finding& finding, language::Tongue tongue);
 
 }  // namespace cnclab::testrun

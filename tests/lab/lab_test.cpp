@@ -199,5 +199,37 @@ TEST_F(LabTest, AUTH_008_TheEndOfARunShowsAtOnceWithItsStateNumber) {
   EXPECT_GE(states.size(), 2U) << "after the dwell of 0.1 s no screen told that the run is over";
 }
 
+/// A driver that hangs in its exchange holds up the whole beat.
+class HangingMachine final : public machine::Machine {
+ public:
+  machine::Inputs exchange(const machine::Outputs&) noexcept override {
+    hangs.wait(true);
+    return {};
+  }
+  void hang(bool on) {
+    hangs = on;
+    hangs.notify_all();
+  }
+  std::atomic<bool> hangs{false};
+};
+
+TEST_F(LabTest, RULE_7_ABeatThatStandsStillCutsTheMachinesCurrentUntilPowerOn) {
+  HangingMachine hanging;
+  const auto channel = std::make_shared<machine::Channel>(hanging, machine::MachineData{});
+  ASSERT_TRUE(ticks_.add(channel));
+  const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  const auto polls_until = [&](const char* metric) {
+    while (!lab_->metrics().contains(metric) && std::chrono::steady_clock::now() < limit) lab_->poll();
+    return lab_->metrics().contains(metric);
+  };
+  EXPECT_TRUE(lab_->metrics().contains("cnclab_machine_powered 1\n"));
+  hanging.hang(true);
+  EXPECT_TRUE(polls_until("cnclab_tick_stalls_total 1\n"));
+  hanging.hang(false);
+  EXPECT_TRUE(polls_until("cnclab_machine_powered 0\n")) << "status and console say `off`";
+  EXPECT_EQ(ticks_.statistics().late > 0, true);
+  ticks_.remove(channel);
+}
+
 }  // namespace
 }  // namespace cnclab::lab

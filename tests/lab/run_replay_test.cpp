@@ -47,8 +47,11 @@ class Replay : public testing::Test {
       recorder_->poll();
     }
   }
-  void start() {
-    const auto begun = run_.begin({channel_, kEpoch, false, {}}, order_);
+  void start(bool is_lab_machine = false) {
+    order_.start.position.x = channel_->snapshot().istwert_mm[0];
+    order_.start.position.y = channel_->snapshot().istwert_mm[1];
+    order_.start.position.z = channel_->snapshot().istwert_mm[2];
+    const auto begun = run_.begin({channel_, kEpoch, is_lab_machine, {}}, order_);
     ASSERT_TRUE(begun) << language::message_of(begun.error(), language::Tongue::english);
     recorder_->begin({.person = anna_,
                       .station = 1,
@@ -62,7 +65,10 @@ class Replay : public testing::Test {
   RecordedRun newest_run(db::Database& database) {
     const auto record = database.runs(anna_).at(0);
     const auto setup = nlohmann::json::parse(record.setup);
-    return {.order = order_of(setup.at("order"), database, anna_).value(),
+    const bool by_hand = setup.contains("hand");
+    return {.order = by_hand ? panel::RunOrder{} : order_of(setup.at("order"), database, anna_).value(),
+            .hand_istwert_mm =
+                by_hand ? std::optional(setup["hand"].at("istwert").get<std::array<double, 4>>()) : std::nullopt,
             .is_lab_machine = false,
             .machine_data = {},
             .steps = setup.at("steps"),
@@ -136,6 +142,71 @@ TEST_F(Replay, STO_007_ARunThatAHaltBrokeOffEndsInTheSamePlace) {
   channel_->latch(true);
   ticks(1000);
   const RecordedRun run = recorded();
+  const ReplayResult result = replay(run);
+  EXPECT_TRUE(result.same) << result.detail;
+}
+
+TEST_F(Replay, STO_007_ARunThatTheTravelBrokeOffEndsInTheSamePlace) {
+  ASSERT_TRUE(channel_->command(machine::RunReference{kEpoch, {1, 1, 1}}));
+  ticks(20'000);
+  ASSERT_TRUE(channel_->snapshot().is_referenced);
+  order_.programs.put(
+      language::read_tape("P0001N001G01X-2000F2000N002G04H0001N003G01X-5000N004G01X+900000", language::Reading::file)
+          .programs.at(0)
+          .program);
+  start(true);
+  ticks(3000);
+  const RecordedRun run = recorded();
+  EXPECT_FALSE(run_.is_present()) << "the fourth block was refused";
+  ASSERT_GT(run.ticks, 300U);
+  const ReplayResult result = replay(run);
+  EXPECT_TRUE(result.same) << result.detail;
+}
+
+TEST_F(Replay, STO_007_AMotionByHandIsPlayedAgainToItsSwitchAndFromIt) {
+  for (const bool is_reference : {false, true}) {
+    machine::Command command = machine::Jog{kEpoch, {1, 0, -1}};
+    if (is_reference) command = machine::RunReference{kEpoch, {-1, 1, 0}};
+    channel_->set_override(0.6);
+    ASSERT_TRUE(channel_->command(machine::SetIstwert{kEpoch, {true, false, true}, {12.5, 0, -3}}));
+    ticks(17);
+    ASSERT_TRUE(channel_->command(command));
+    for (int i = 0; i < 3; ++i) channel_->tick(++tick_ * 1'000'000, 0.001);  // the lab sees it at its next look
+    recorder_->begin({.person = anna_,
+                      .station = 1,
+                      .lease = 3,
+                      .program = 0,
+                      .block = 0,
+                      .unix_ms = 5,
+                      .order = nullptr,
+                      .machine_data = order_.data,
+                      .hand = HandStart{channel_->snapshot().start_istwert_mm, order_.data}});
+    ticks(170);
+    channel_->set_override(0.9);
+    ticks(30'000);
+    const RecordedRun run = recorded();
+    ASSERT_GT(run.ticks, 1000U);
+    const ReplayResult result = replay(run);
+    EXPECT_TRUE(result.same) << (is_reference ? "reference: " : "jog: ") << result.detail;
+    EXPECT_EQ(result.largest_deviation_mm, 0);
+  }
+}
+
+TEST_F(Replay, STO_007_ToolsOfTheMachinesListHaltInTheReplayToo) {
+  order_.programs.put(language::read_tape("P0000T003R+5000L+0", language::Reading::file).programs.at(0).program);
+  order_.programs.put(language::read_tape("P0001N001G01X+2000F2000N002G11T03N003G01X-5000", language::Reading::file)
+                          .programs.at(0)
+                          .program);
+  order_.tools.emplace();
+  order_.tools->put(3, {5, 0});
+  start();
+  ticks(1000);
+  EXPECT_EQ(run_.tool_due(), 3);
+  run_.go_on();
+  ticks(2000);
+  const RecordedRun run = recorded();
+  ASSERT_TRUE(run.order.tools);
+  EXPECT_EQ(run.order.tools->tools(), order_.tools->tools());
   const ReplayResult result = replay(run);
   EXPECT_TRUE(result.same) << result.detail;
 }

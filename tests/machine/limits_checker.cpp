@@ -34,10 +34,16 @@ void LimitsChecker::begin_run(const std::array<std::int64_t, 4>& steps, const ge
   for (std::size_t i = 0; i < 4; ++i) origin_[i] = steps[i] - std::llround(mm[i] * limits_.steps_per_mm[i]);
 }
 
+void LimitsChecker::anchor(const std::array<std::int64_t, 4>& steps, std::size_t index) {
+  const auto mm = axes_of(path_.end(index));
+  for (std::size_t i = 0; i < 4; ++i) origin_[i] = steps[i] - std::llround(mm[i] * limits_.steps_per_mm[i]);
+}
+
 std::string LimitsChecker::broken_rule(const Tick& tick) {
   std::string broken = rest_rule(tick);
   if (broken.empty()) broken = authority_rule(tick);
   if (broken.empty()) broken = stop_rule(tick);
+  if (broken.empty()) broken = due_rule(tick);
   if (broken.empty() && tick.doing == Doing::run) broken = run_rule(tick);
   if (broken.empty() && (tick.doing == Doing::hand || tick.doing == Doing::reference)) broken = manual_rule(tick);
   ratio_before_ = tick.ratio;
@@ -74,6 +80,20 @@ std::string LimitsChecker::stop_rule(const Tick& tick) const {
   const double gentle = std::min(limits_.stop_deceleration_mm_per_s2, limits_.acceleration_mm_per_s2);
   if (now <= before - gentle * tick_s_ * (1 - 1e-6) + kTiny) return {};
   return fmt::format("{} after {} mm/s in spite of a stop", now, before);
+}
+
+std::string LimitsChecker::due_rule(const Tick& tick) {
+  constexpr int kAnswer = 2;
+  if (!tick.must_rest || tick.doing == Doing::nothing || !tick.now.started) {
+    ticks_to_rest_.reset();
+    return {};
+  }
+  const double gentle = std::min(limits_.stop_deceleration_mm_per_s2, limits_.acceleration_mm_per_s2);
+  // In a reference run each of up to three axes brakes by itself, with its share of the ramp.
+  const double share = tick.doing == Doing::reference ? 1 / std::sqrt(3.0) : 1;
+  if (!ticks_to_rest_)
+    ticks_to_rest_ = static_cast<int>(std::ceil(speed_of(tick.before) / (gentle * share * tick_s_))) + kAnswer;
+  return (*ticks_to_rest_)-- > 0 ? "" : "does not rest within its braking time";
 }
 
 std::string LimitsChecker::ramp_rule(const Tick& tick) const {

@@ -5,12 +5,15 @@
 //   2  path speed <= programmed feed × potentiometer <= F MAX, but for braking towards a potentiometer turned back
 //   3  path acceleration <= RAMPE; from and to rest a jump of at most F START/STOP
 //   4  at a joint no axis' velocity steps by more than F START/STOP; on arcs v²/r <= RAMPE
-//   5  what has to stop slows down in every tick, at least by STOPVERZÖGERUNG, and then rests
+//   5  what has to stop slows down in every tick, at least by STOPVERZÖGERUNG
 //   6  without a valid lease nothing begins, spindle and coolant are off
 //   7  stops without ramp at limit switches, power-off and faults alone
 //   8  the reported speed is the one really travelled
+//   9  what has to stop rests within its braking time: its speed over STOPVERZÖGERUNG (of the axis' share of it in a
+//      reference run), and two ticks
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "machine/channel.hpp"
@@ -38,6 +41,8 @@ class LimitsChecker {
 
   /// A run begins at the path's first point, where the axes stand at `steps`.
   void begin_run(const std::array<std::int64_t, 4>& steps, const geometry::Point& start);
+  /// A reference run of the program is over: the path goes on where the axes stand now, at `steps`.
+  void anchor(const std::array<std::int64_t, 4>& steps, std::size_t index);
   /// The rule that this tick breaks, in words; empty when it keeps to all of them.
   [[nodiscard]] std::string broken_rule(const Tick& tick);
 
@@ -54,6 +59,7 @@ class LimitsChecker {
   [[nodiscard]] std::string authority_rule(const Tick& tick) const;
   [[nodiscard]] std::string ramp_rule(const Tick& tick) const;
   [[nodiscard]] std::string stop_rule(const Tick& tick) const;
+  [[nodiscard]] std::string due_rule(const Tick& tick);
   [[nodiscard]] std::string manual_rule(const Tick& tick);
   [[nodiscard]] std::string run_rule(const Tick& tick);
   [[nodiscard]] std::string half_step_rule(const Tick& tick) const;
@@ -70,8 +76,9 @@ class LimitsChecker {
   geometry::Point start_;
   std::array<std::int64_t, 4> origin_{};
   Place place_;
-  double ceiling_ = 0;       ///< speed from which braking towards a lowered potentiometer goes on, mm/s
-  double ratio_before_ = 1;  ///< potentiometer in the last tick
+  double ceiling_ = 0;                ///< speed from which braking towards a lowered potentiometer goes on, mm/s
+  double ratio_before_ = 1;           ///< potentiometer in the last tick
+  std::optional<int> ticks_to_rest_;  ///< while something has to stop
 };
 
 }  // namespace cnclab::machine

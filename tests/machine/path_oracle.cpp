@@ -57,11 +57,12 @@ PathOracle::PathOracle(std::vector<geometry::PathItem> items, const Point& start
       const double d = arc->to.*axes.second - arc->center.*axes.second;
       shape.sense = arc->turn == geometry::Turn::counterclockwise ? 1 : -1;
       shape.radius = std::hypot(a, b);
+      shape.growth = std::hypot(c, d) - shape.radius;
       shape.begin_angle = std::atan2(b, a);
       const bool is_full = a == c && b == d;
       shape.sweep = is_full ? kFull : turned(shape.sense * (std::atan2(d, c) - shape.begin_angle));
       shape.rise = arc->to.*axes.normal - arc->from.*axes.normal;
-      shape.length = std::hypot(shape.radius * shape.sweep, shape.rise);
+      shape.length = std::hypot((shape.radius + shape.growth / 2) * shape.sweep, shape.rise);
       at = arc->to;
     }
     shape.end = at;
@@ -74,6 +75,11 @@ double PathOracle::feed_mm_per_min(std::size_t index) const {
   if (const auto* line = std::get_if<Line>(&items_[index].what)) return line->feed_mm_per_min;
   if (const auto* arc = std::get_if<Arc>(&items_[index].what)) return arc->feed_mm_per_min;
   return 0;
+}
+
+double PathOracle::radius_mm(std::size_t index) const {
+  const Shape& shape = shapes_[index];
+  return std::min(shape.radius, shape.radius + shape.growth);
 }
 
 PathOracle::Placement PathOracle::place(std::size_t index, const Point& point, double from_mm) const {
@@ -99,7 +105,8 @@ PathOracle::Placement PathOracle::place(std::size_t index, const Point& point, d
   }
   const double now = shape.begin_angle + shape.sense * part * shape.sweep;
   const double off_plane = point.*axes.normal - arc.from.*axes.normal - part * shape.rise;
-  const double off_circle = std::hypot(a - shape.radius * std::cos(now), b - shape.radius * std::sin(now));
+  const double radius = shape.radius + part * shape.growth;
+  const double off_circle = std::hypot(a - radius * std::cos(now), b - radius * std::sin(now));
   return {part * shape.length, std::hypot(off_plane, off_circle)};
 }
 
@@ -111,12 +118,13 @@ Point PathOracle::heading(std::size_t index, double way_mm) const {
   }
   const auto& arc = std::get<Arc>(items_[index].what);
   const Axes axes = axes_of(arc.plane);
-  const double angle = shape.begin_angle + shape.sense * way_mm / shape.length * shape.sweep;
-  const double flat = shape.sense * shape.radius * shape.sweep / shape.length;
+  const double part = way_mm / shape.length, angle = shape.begin_angle + shape.sense * part * shape.sweep;
+  const double around = shape.sense * (shape.radius + part * shape.growth) * shape.sweep;
+  const double size = std::hypot(around, shape.growth, shape.rise);
   Point heading;
-  heading.*axes.first = -flat * std::sin(angle);
-  heading.*axes.second = flat * std::cos(angle);
-  heading.*axes.normal = shape.rise / shape.length;
+  heading.*axes.first = (shape.growth * std::cos(angle) - around * std::sin(angle)) / size;
+  heading.*axes.second = (shape.growth * std::sin(angle) + around * std::cos(angle)) / size;
+  heading.*axes.normal = shape.rise / size;
   return heading;
 }
 

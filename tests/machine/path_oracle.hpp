@@ -26,7 +26,8 @@ class PathOracle {
   /// Of the whole path, up to where the item begins.
   [[nodiscard]] double way_before_mm(std::size_t index) const { return shapes_[index].way_before; }
   [[nodiscard]] double feed_mm_per_min(std::size_t index) const;
-  [[nodiscard]] double radius_mm(std::size_t index) const { return shapes_[index].radius; }  ///< 0: straight
+  /// 0: straight; the smaller one where both ends of an arc differ (D-55).
+  [[nodiscard]] double radius_mm(std::size_t index) const;
   /// Where the item ends; of an event where the path stands.
   [[nodiscard]] const geometry::Point& end(std::size_t index) const { return shapes_[index].end; }
   /// Nearest place at or behind `from_mm`, or distance only.
@@ -39,7 +40,8 @@ class PathOracle {
  private:
   struct Shape {
     double length = 0, way_before = 0;
-    double radius = 0, begin_angle = 0, sweep = 0;  ///< arcs: sweep > 0, in the sense of `sense`
+    double radius = 0, growth = 0;      ///< arcs: where it begins, and by how much it is larger where it ends
+    double begin_angle = 0, sweep = 0;  ///< sweep > 0, in the sense of `sense`
     double sense = 1, rise = 0;
     geometry::Point end;
   };

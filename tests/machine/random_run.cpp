@@ -74,10 +74,15 @@ void Builder::arc(const Element& element) {
   Point center = at_, to = at_;
   center.*axes.first += radius * std::cos(heading);
   center.*axes.second += radius * std::sin(heading);
-  if (element.turn_deg % 360 != 0) {
-    const double end = heading + std::numbers::pi + element.turn_deg * kRadian;
-    to.*axes.first = center.*axes.first + radius * std::cos(end);
-    to.*axes.second = center.*axes.second + radius * std::sin(end);
+  const bool is_spiral = element.kind == Element::Kind::spiral;
+  if (element.turn_deg % 360 != 0 || is_spiral) {
+    const int turn = element.turn_deg % 360 != 0 ? element.turn_deg : 1;
+    const double end = heading + std::numbers::pi + turn * kRadian;
+    constexpr int kOff_um = 20;
+    const double off = is_spiral ? (std::abs(element.way_um) % (2 * kOff_um + 1) - kOff_um) / 1000.0 : 0;
+    const double end_radius = std::max(radius + off, radius / 2);
+    to.*axes.first = center.*axes.first + end_radius * std::cos(end);
+    to.*axes.second = center.*axes.second + end_radius * std::sin(end);
   }
   to.*axes.normal += element.rise_um / 1000.0;
   const auto turn = element.turn_deg >= 0 ? geometry::Turn::counterclockwise : geometry::Turn::clockwise;
@@ -103,6 +108,12 @@ void Builder::event(const Element& element) {
   if (element.kind == Kind::wait) push(geometry::Wait{0, 0}, element);
   if (element.kind == Kind::halt) push(geometry::Halt{number % 2 == 0}, element);
   if (element.kind == Kind::signal) push(geometry::Signal{}, element);
+  if (element.kind == Kind::reference) {
+    const int axes = 1 + number % 7;  // one bit each
+    const double side = element.turn_deg < 0 ? -1 : 1;
+    push(geometry::Reference{{(axes & 1) != 0, (axes & 2) != 0, (axes & 4) != 0}, {side, side, side}}, element);
+    items_.back().ends_block = true;  // the snapshot tells its end by the block's
+  }
 }
 
 void Builder::add(const Element& element) {
@@ -113,6 +124,7 @@ void Builder::add(const Element& element) {
     case Element::Kind::rapid:
       return line_by(element, way, heading, rise, element.kind == Element::Kind::rapid);
     case Element::Kind::arc:
+    case Element::Kind::spiral:
       return arc(element);
     case Element::Kind::chain:
       for (int i = 0; i < kChainLinks; ++i) {
@@ -138,13 +150,14 @@ void Builder::add(const Element& element) {
     case Element::Kind::wait:
     case Element::Kind::halt:
     case Element::Kind::signal:
+    case Element::Kind::reference:
       return event(element);
   }
 }
 
-constexpr std::array<std::string_view, 15> kElementNames{"line",        "rapid",  "arc",     "chain",   "dust",
-                                                         "fourth_axis", "dwell",  "spindle", "coolant", "mark",
-                                                         "output",      "rename", "wait",    "halt",    "signal"};
+constexpr std::array<std::string_view, 17> kElementNames{
+    "line",    "rapid", "arc",    "spiral", "chain", "dust", "fourth_axis", "dwell",    "spindle",
+    "coolant", "mark",  "output", "rename", "wait",  "halt", "signal",      "reference"};
 constexpr std::array<std::string_view, 19> kActionNames{
     "stop",   "go",        "potentiometer", "single_block", "power_off", "power_on",     "fault",
     "revoke", "expire",    "grant",         "stale_go",     "halt",      "release_halt", "abandon",

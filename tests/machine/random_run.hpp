@@ -17,9 +17,10 @@ struct Element {
   enum class Kind : std::uint8_t {
     line,
     rapid,
-    arc,    ///< helix where `rise_um` is not 0; full circle where `turn_deg` is a multiple of 360
-    chain,  ///< a tangential row of 40 short lines
-    dust,   ///< lines far shorter than a step and the way of a tick
+    arc,     ///< helix where `rise_um` is not 0; full circle where `turn_deg` is a multiple of 360
+    spiral,  ///< an arc whose end lies up to 20 µm off its circle (D-55)
+    chain,   ///< a tangential row of 40 short lines
+    dust,    ///< lines far shorter than a step and the way of a tick
     fourth_axis,
     dwell,
     spindle,
@@ -30,6 +31,7 @@ struct Element {
     wait,
     halt,
     signal,
+    reference,  ///< G69
   };
   Kind kind = Kind::line;
   int heading_deg = 0, turn_deg = 0;

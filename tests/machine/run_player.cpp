@@ -157,8 +157,14 @@ void RunPlayer::conclude_tick(const Snapshot& before, const Snapshot& now) {
   ++played_.ticks;
   note_orders(before, now);
   if (was_fault_) must_rest();
-  Tick seen{before, now, machine_.last, doing_, ratio_, must_rest_, has_lease_, cut_ || was_fault_};
+  const bool in_reference = is_in_reference(before);
+  const Doing doing = in_reference ? Doing::reference : doing_;
+  Tick seen{before, now, machine_.last, doing, ratio_, must_rest_, has_lease_, cut_ || was_fault_};
   if (played_.broken.empty()) played_.broken = checker_.broken_rule(seen);
+  if (in_reference && now.run == before.run && now.finished_sequence >= before.sequence) {
+    checker_.anchor(now.steps, before.sequence - 1);
+    ++played_.program_references;
+  }
   guard_progress(before, now);
   for (std::size_t i = 0; i < 4; ++i) {
     if (machine_.sum[i] != machine_.simulated.position_steps()[i] && played_.broken.empty()) {
@@ -175,6 +181,13 @@ void RunPlayer::conclude_tick(const Snapshot& before, const Snapshot& now) {
   if (!played_.broken.empty() && !played_.broken.starts_with("tick")) {
     played_.broken = fmt::format("tick {}: {}", played_.ticks, played_.broken);
   }
+}
+
+/// The program's own reference run was under way when the tick began.
+bool RunPlayer::is_in_reference(const Snapshot& before) const {
+  if (doing_ != Doing::run || before.sequence == 0 || before.sequence > items_.size()) return false;
+  return before.finished_sequence < before.sequence &&
+         std::holds_alternative<geometry::Reference>(items_[before.sequence - 1].what);
 }
 
 /// A run that may move and has somewhere to go does so.

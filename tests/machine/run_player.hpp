@@ -13,7 +13,7 @@ namespace cnclab::machine {
 struct Played {
   std::string broken;  ///< the rule that was broken and in which tick; empty when none was
   bool reached_end = false;
-  int ticks = 0, moving_ticks = 0, rests_after_stop = 0, limit_stops = 0;
+  int ticks = 0, moving_ticks = 0, rests_after_stop = 0, limit_stops = 0, program_references = 0;
 };
 
 class RunPlayer {
@@ -31,6 +31,7 @@ class RunPlayer {
   void tick();
   void conclude_tick(const Snapshot& before, const Snapshot& now);
   void note_orders(const Snapshot& before, const Snapshot& now);
+  [[nodiscard]] bool is_in_reference(const Snapshot& before) const;
   void guard_progress(const Snapshot& before, const Snapshot& now);
   void release_all();
   void recover();

@@ -39,6 +39,7 @@ rc::Gen<Element> an_element() {
   const auto kind = rc::gen::weightedElement<Kind>({{6, Kind::line},
                                                     {2, Kind::rapid},
                                                     {5, Kind::arc},
+                                                    {2, Kind::spiral},
                                                     {3, Kind::chain},
                                                     {2, Kind::dust},
                                                     {1, Kind::fourth_axis},
@@ -50,7 +51,8 @@ rc::Gen<Element> an_element() {
                                                     {1, Kind::rename},
                                                     {1, Kind::wait},
                                                     {1, Kind::halt},
-                                                    {1, Kind::signal}});
+                                                    {1, Kind::signal},
+                                                    {3, Kind::reference}});
   const auto rise = rc::gen::map(rc::gen::pair(number(0, 3), decades(1, 4000)),
                                  [](const auto& pair) { return pair.first == 3 ? pair.second : 0; });
   return rc::gen::build<Element>(
@@ -91,8 +93,8 @@ rc::Gen<Action> an_action() {
 
 rc::Gen<Setup> a_setup() {
   const auto per_mm = rc::gen::container<std::array<int, 4>>(decades(1, 2000));
-  const auto travel = rc::gen::map(rc::gen::pair(number(0, 3), decades(1, 20'000)),
-                                   [](const auto& pair) { return pair.first == 3 ? 1000 + pair.second : 500'000; });
+  const auto travel = rc::gen::map(rc::gen::pair(number(0, 2), decades(1, 20'000)),
+                                   [](const auto& pair) { return pair.first == 2 ? 1000 + pair.second : 500'000; });
   return rc::gen::build<Setup>(
       rc::gen::set(&Setup::f_max, number(100, 9999)), rc::gen::set(&Setup::start_stop, decades(1, 1500)),
       rc::gen::set(&Setup::ramp, rc::gen::map(decades(1, 400), [](int n) { return 4 + n; })),
@@ -110,7 +112,7 @@ rc::Gen<RandomRun> a_run() {
 
 TEST(Limits, HoldInEveryTickOfAnyProgramUnderAnyOperator) {
   ASSERT_TRUE(kIsAsked);
-  std::int64_t runs = 0, ends = 0, moving = 0, stops = 0, switches = 0;
+  std::int64_t runs = 0, ends = 0, moving = 0, stops = 0, switches = 0, references = 0;
   const bool held = rc::check("every rule of motion holds in every tick", [&] {
     const RandomRun run = *a_run().as("run");
     const Played played = RunPlayer(run).play();
@@ -119,6 +121,7 @@ TEST(Limits, HoldInEveryTickOfAnyProgramUnderAnyOperator) {
     moving += played.moving_ticks;
     stops += played.rests_after_stop;
     switches += played.limit_stops;
+    references += played.program_references;
     if (!played.broken.empty()) RC_FAIL(played.broken);
   });
   EXPECT_TRUE(held);
@@ -127,6 +130,7 @@ TEST(Limits, HoldInEveryTickOfAnyProgramUnderAnyOperator) {
   EXPECT_GT(moving, runs * 500) << "ticks in motion";
   EXPECT_GT(stops * 3, runs) << "stops in motion";
   EXPECT_GT(switches * 20, runs) << "limit switches";
+  EXPECT_GT(references * 40, runs) << "G69 that found its switches";
 }
 
 }  // namespace

@@ -46,16 +46,16 @@ TEST(Workpiece, RemovesTheVolumeOfTheSweptCylinder) {
       {"half beside", {-40, 40, -5, 0}, {40, 40, -5, 0}, 10, (80 * 10 + pi * 100 / 2) * 5}};
   for (const auto& row : rows) {
     Workpiece piece = whole();
-    const Cut cut = piece.cut(row.from, row.to, row.radius);
+    const Cut cut = piece.cut(row.from, row.to, row.radius, 0);
     EXPECT_NEAR(cut.removed_mm3, row.volume, row.volume * 0.01 + 0.5) << row.name;
     EXPECT_NEAR(piece.removed_mm3(), cut.removed_mm3, 1e-9) << row.name;
-    EXPECT_EQ(piece.cut(row.from, row.to, row.radius).removed_mm3, 0) << row.name << ": nothing is left to cut";
+    EXPECT_EQ(piece.cut(row.from, row.to, row.radius, 0).removed_mm3, 0) << row.name << ": nothing is left to cut";
   }
 }
 
 TEST(Workpiece, RampIsAsDeepAsTheToolsEndWasOverThePlace) {
   Workpiece piece = whole();
-  piece.cut({-20, 0, 0, 0}, {20, 0, -8, 0}, 3);
+  piece.cut({-20, 0, 0, 0}, {20, 0, -8, 0}, 3, 0);
   EXPECT_NEAR(*piece.surface_z(0.125, 0.125), -4 - 0.2 * 3.125, 0.06) << "the end passes 3 mm later, 0.6 mm deeper";
   EXPECT_NEAR(*piece.surface_z(22.125, 0.125), -8, 0.01);
   EXPECT_EQ(piece.surface_z(0.125, 3.4), 0);
@@ -94,7 +94,7 @@ RC_GTEST_PROP(WorkpieceProperty, AnyWaysCutWhatTheSlowModelCuts, ()) {
     const geometry::Point from{coordinate(80), coordinate(60), coordinate(60), 0};
     const geometry::Point to{coordinate(80), coordinate(60), coordinate(60), 0};
     const double radius = *rc::gen::inRange(3, 40) / 10.0;
-    piece.cut(from, to, radius);
+    piece.cut(from, to, radius, 0);
     cut_slowly(slow, piece, from, to, radius);
   }
   int far = 0;
@@ -118,7 +118,7 @@ TEST(Workpiece, SpecsThatCannotBeMadeAreRefused) {
 TEST(Workpiece, CopiesAreCutIndependently) {
   Workpiece piece = whole();
   Workpiece copy = piece;
-  copy.cut({0, 0, 0, 0}, {0, 0, -5, 0}, 3);
+  copy.cut({0, 0, 0, 0}, {0, 0, -5, 0}, 3, 0);
   EXPECT_EQ(piece.surface_z(0, 0), 0);
   EXPECT_EQ(copy.surface_z(0, 0), -5);
 }
@@ -214,6 +214,45 @@ TEST(Milling, SpindleOffInMaterialIsReportedOncePerBlock) {
   for (const auto& event : events) EXPECT_EQ(event.kind, MillingEvent::Kind::spindle_off_in_material);
   EXPECT_EQ(events[0].source.block, 5);
   EXPECT_EQ(events[1].source.block, 6);
+}
+
+TEST(Milling, DEC24HandeingabeGoesOnInTheSamePiece) {
+  MillingRig rig;
+  Items items = with_tool(5);
+  items.line_to({0, 0, -1, 0}, 600).add(geometry::End{});
+  rig.run(items);
+  motion::Planner* planner = rig.rig.channel.begin_run(kLease, {0, 0, -1, 0}, false);
+  ASSERT_NE(planner, nullptr);
+  Items line;
+  line.add(geometry::Line{{0, 0, -1, 0}, {20, 0, -1, 0}, 600, false}).add(geometry::End{});
+  for (const auto& item : std::vector<geometry::PathItem>(line)) ASSERT_TRUE(planner->append(item));
+  planner->plan();
+  rig.rig.go();
+  rig.rig.tick();
+  ASSERT_TRUE(rig.rig.tick_to_rest());
+  rig.site.work(100'000);
+  EXPECT_EQ(rig.site.piece()->corner().x, -60) << "it was not put elsewhere";
+  EXPECT_NEAR(*rig.site.piece()->surface_z(20, 0), -1, 0.01);
+}
+
+TEST(Milling, NewsAreToldOnceAndInOrder) {
+  MillingRig rig;
+  Items items = with_tool(5);
+  items.line_to({0, 0, -2, 0}, 600).add(geometry::Spindle{}).line_to({10, 0, -2, 0}, 600).line_to({10, 10, -2, 0}, 600);
+  items.add(geometry::End{});
+  rig.run(items);
+  const auto news = rig.site.take_news();
+  ASSERT_EQ(news.size(), 2U);
+  EXPECT_EQ(news[0].source.block, 5);
+  EXPECT_EQ(news[1].source.block, 6);
+  EXPECT_TRUE(rig.site.take_news().empty());
+  rig.run(items, {10, 10, -2, 0});
+  EXPECT_EQ(rig.site.take_news().size(), 2U) << "a new piece, told anew";
+}
+
+TEST(Workpiece, LargeOnesGetLargeCells) {
+  EXPECT_EQ(fitted({{120, 80, 30}, 0.25}).cell_mm, 0.25);
+  EXPECT_NEAR(fitted({{1000, 1000, 30}, 0.25}).cell_mm, std::sqrt(1e6 / kUsualCells), 1e-12);
 }
 
 TEST(Milling, HandMotionCutsToo) {

@@ -76,7 +76,7 @@ TEST_P(Meeting, IsNoticed) {
 
 TEST(Stock, LargeWorkpiecesGetLargeCells) {
   const Stock stock({.low = {0, 0, -50, 0}, .high = {2000, 1000, 0, 0}}, 0.25);
-  EXPECT_NEAR(stock.cell_mm(), std::sqrt(2000.0 * 1000.0 / Stock::kMostCells), 1e-9);
+  EXPECT_NEAR(stock.cell_mm(), std::sqrt(2000.0 * 1000.0 / machine::kUsualCells), 1e-9);
   Stock nothing({.low = {0, 0, 0, 0}, .high = {0, 0, 0, 0}}, 0.25);
   EXPECT_FALSE(nothing.cut({0, 0, -5, 0}, {1, 0, -5, 0}, 4));
   EXPECT_EQ(nothing.removed_mm3(), 0);
