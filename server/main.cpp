@@ -150,8 +150,6 @@ int serve(const lab::Configuration& configuration) {
     metrics->serve([&lab] { return lab.metrics(); });
     spdlog::info("metrics: http://{}/metrics", metrics->address());
   }
-  std::cout << "listening " << (*server)->address() << " fingerprint " << *fingerprint << std::endl;
-
   asio::steady_timer stopping(loop);
   asio::signal_set signals(loop, SIGINT, SIGTERM);
   signals.async_wait([&](const boost::system::error_code& error, int signal) {
@@ -161,6 +159,8 @@ int serve(const lab::Configuration& configuration) {
     lines->stop();
     stop_when_at_rest(loop, **server, lab, stopping, 400);
   });
+  // Last of all: whoever has read it may already send a signal.
+  std::cout << "listening " << (*server)->address() << " fingerprint " << *fingerprint << std::endl;
   loop.run();
   return 0;
 }
