@@ -73,6 +73,7 @@ void Console::machine_data_restore(const Reply& reply, const v1::ProgramName& re
         const auto& [person, data] = restored;
         if (const auto desk = console.lab_.desk_of(person.id)) {
           desk->control.replace_data(data);
+          desk->settle_machine_data();
           desk->is_dirty = true;
         }
         const std::string what = fmt::format("MD version {}", request.version());

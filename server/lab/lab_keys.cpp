@@ -191,6 +191,7 @@ void Lab::store(const DeskPtr& desk, panel::StoreRequest request, std::uint64_t 
         if (!result) spdlog::error("{}: not stored: {}", stored->person.name, result.error().text);
         stored->storing.reset();
         stored->control.store_done(result ? "" : sentence_for(result.error(), tongue_of(stored->person)));
+        stored->settle_machine_data();  // ahead of a START that waits already
         stored->is_dirty = true;
         pump(stored);
         draw(stored, clock_.monotonic_ns());

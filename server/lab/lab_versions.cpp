@@ -53,6 +53,7 @@ void Lab::restore_version(const DeskPtr& desk, const Subject& of, int version) {
           owner->control.replace_data(*data);
         else
           reload_programs(owner->person.id);
+        owner->settle_machine_data();
       });
 }
 

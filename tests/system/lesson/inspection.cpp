@@ -16,13 +16,6 @@ namespace {
 constexpr auto kStoreLimit = 10s;
 constexpr auto kToolLimit = 20s;
 
-/// Where the tool stood at START. The first row is the end of the run's first tick: where that tick moved already, the
-/// end of the run tells the start, for every part ends where it began.
-Point start_of(const std::vector<TraceRow>& trace, Expect expect) {
-  const bool moved_at_once = trace.front().feed_mm_per_min > 0;
-  return moved_at_once && expect == Expect::whole ? trace.back().position : trace.front().position;
-}
-
 /// JSON made from 64-bit numbers may carry them as strings.
 std::uint64_t number_of(const nlohmann::json& value) {
   return value.is_string() ? std::stoull(value.get<std::string>()) : value.get<std::uint64_t>();
@@ -55,11 +48,17 @@ std::vector<TraceRow> fetch_trace(const harness::Instructor& instructor, const L
   return *trace;
 }
 
-Comparison inspect(const Part& part, const std::vector<TraceRow>& trace, Expect expect) {
+Comparison inspect_part(const Part& part, const std::vector<TraceRow>& trace, const Point& start) {
+  return compare(Drawing(part.curves), seen_from(trace, start), Tolerance{}, Expect::part);
+}
+
+Comparison inspect(const Part& part, const std::vector<TraceRow>& trace) {
   const Tolerance tolerance;
-  const std::vector<TraceRow> seen = seen_from(trace, start_of(trace, expect));
-  Comparison result = compare(Drawing(part.curves), seen, tolerance, expect);
-  if (!result.is_as_drawn() || expect != Expect::whole) return result;
+  // The first row is the end of the first tick: where that moved already, the end of the run tells where it began.
+  const bool moved_at_once = trace.front().feed_mm_per_min > 0;
+  const std::vector<TraceRow> seen = seen_from(trace, (moved_at_once ? trace.back() : trace.front()).position);
+  Comparison result = compare(Drawing(part.curves), seen, tolerance, Expect::whole);
+  if (!result.is_as_drawn()) return result;
   for (const Rest& rest : part.rests) {
     const double rested = rested_s(seen, rest.at, tolerance);
     constexpr double kTick_s = 0.001;

@@ -23,8 +23,10 @@ struct LabRun {
 [[nodiscard]] std::vector<TraceRow> fetch_trace(const harness::Instructor& instructor, const LabRun& run,
                                                 const std::filesystem::path& file);
 
-/// The trace against the part's drawing: path, dwells, and the rest at the end.
-[[nodiscard]] Comparison inspect(const Part& part, const std::vector<TraceRow>& trace, Expect expect);
+/// The trace against the part's drawing: path, dwells, and the rest at the end, for every part ends where it began.
+[[nodiscard]] Comparison inspect(const Part& part, const std::vector<TraceRow>& trace);
+/// The trace of a run that was broken off, as far as it came. `start`: the Istwert at START.
+[[nodiscard]] Comparison inspect_part(const Part& part, const std::vector<TraceRow>& trace, const Point& start);
 
 /// Whether the speed fell to rest along the ramp: never by more in a tick than RAMPE allows, but for the last
 /// F START/STOP (DEC-20). Empty, or what was seen.

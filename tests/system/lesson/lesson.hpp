@@ -48,7 +48,7 @@ class Lesson {
   void run_with_turned_potentiometer(Seat& seat);
   void run_with_refused_select(Seat& seat);
   void run_with_cut_line(Seat& seat);
-  void lose_line(Seat& seat);
+  void lose_line(Seat& seat, const Point& start);
   void come_back(Seat& seat);
   void inspect_later(const Seat& seat);
 

@@ -167,12 +167,12 @@ void Lesson::run_with_cut_line(Seat& seat) {
   const Point before = machine_at_rest();
   seat.start();
   wait_until_away_from(before);
-  lose_line(seat);
+  lose_line(seat, before);
   come_back(seat);
   run_plainly(seat);
 }
 
-void Lesson::lose_line(Seat& seat) {
+void Lesson::lose_line(Seat& seat, const Point& start) {
   line_->cut();
   nlohmann::json status;
   const auto nobody_has_control = [&] {
@@ -184,7 +184,7 @@ void Lesson::lose_line(Seat& seat) {
   }
   const LabRun run = newest_lab_run(*instructor_, seat.part().student);
   const auto trace = fetch_trace(*instructor_, run, file("traces", seat.part(), "-cut.csv"));
-  const Comparison part = inspect(seat.part(), trace, Expect::part);
+  const Comparison part = inspect_part(seat.part(), trace, start);
   if (!part.is_as_drawn()) throw harness::Failure(seat.name() + ", line cut: " + part.fault);
   if (part.reached_mm > part.drawn_mm - 1) throw harness::Failure(seat.name() + ": the line was cut too late");
   if (const auto fault = fault_of_ramp(trace); !fault.empty()) {
@@ -219,7 +219,7 @@ void Lesson::inspect_later(const Seat& seat) {
   const auto look = [this, part = seat.part(), station = seat.station()] {
     const LabRun run = newest_lab_run(*instructor_, part.student);
     const auto trace = fetch_trace(*instructor_, run, file("traces", part, ".csv"));
-    return ReportRow{station, part.student, part.title, run.seconds, inspect(part, trace, Expect::whole)};
+    return ReportRow{station, part.student, part.title, run.seconds, inspect(part, trace)};
   };
   inspections_.push_back(std::async(std::launch::async, look));
 }
