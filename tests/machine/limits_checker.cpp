@@ -119,12 +119,17 @@ std::string LimitsChecker::manual_rule(const Tick& tick) {
     rounding_sq += step * step;
     way_sq += tick.sent.steps[i] * step * tick.sent.steps[i] * step;
   }
-  if (tick.doing == Doing::reference) slowest = std::max(slowest, limits_.start_stop_mm_per_s);  // back-off (D-11)
-  const double allowed = std::min(limits_.f_max_mm_per_s, std::max(tick.ratio * limits_.f_max_mm_per_s, slowest));
+  // Some axes back off from their switches (D-11) while the others still search or brake.
+  const double backing_off = tick.doing == Doing::reference ? limits_.start_stop_mm_per_s : 0;
+  const double allowed = std::max(tick.ratio * limits_.f_max_mm_per_s, slowest);
+  const auto most_with = [&](double braking) {
+    const double together = std::hypot(std::max(allowed, braking), backing_off);
+    return std::min(limits_.f_max_mm_per_s, together) * kRelative + kTiny;
+  };
   if (tick.ratio < ratio_before_) ceiling_ = std::max(ceiling_, before);
-  const double most = std::max(allowed, ceiling_) * kRelative + kTiny;
+  const double most = most_with(ceiling_);
   lower_ceiling(tick);
-  if (now > std::max(allowed, ceiling_) * kRelative + kTiny) return fmt::format("{} mm/s by hand", now);
+  if (now > most_with(ceiling_)) return fmt::format("{} mm/s by hand", now);
   if (std::sqrt(way_sq) > most * tick_s_ + std::sqrt(rounding_sq)) return "moved further than its speed allows";
   if (tick.doing == Doing::hand) return ramp_rule(tick);
   const double ramp = limits_.acceleration_mm_per_s2 * tick_s_ * kRelative + kTiny;
