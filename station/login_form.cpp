@@ -41,8 +41,8 @@ void write_wrapped(Screen& screen, int row, int column, std::string_view text, A
 
 }  // namespace
 
-LoginForm::LoginForm(LoginQuestion question, bool is_seat_fixed, bool is_user_fixed, Language language)
-    : question_(std::move(question)), language_(language) {
+LoginForm::LoginForm(const LoginQuestion& question, bool is_seat_fixed, bool is_user_fixed, Language language)
+    : question_(question), language_(language) {
   const auto result = question_.refusal ? question_.refusal->result() : v1::LOGIN_RESULT_UNSPECIFIED;
   if (question_.refusal) notice_ = printable(refusal_text(*question_.refusal, language_));
   if (result == v1::LOGIN_RESULT_ELSEWHERE) {

@@ -17,7 +17,7 @@ class LoginForm {
   enum class State : std::uint8_t { editing, submitted, cancelled };
 
   /// Asks for what `question` leaves open; `is_seat_fixed` when the seat came with the command line.
-  LoginForm(LoginQuestion question, bool is_seat_fixed, bool is_user_fixed, Language language);
+  LoginForm(const LoginQuestion& question, bool is_seat_fixed, bool is_user_fixed, Language language);
 
   State handle(const Input& input);
   [[nodiscard]] Screen screen() const;

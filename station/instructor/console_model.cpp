@@ -183,6 +183,14 @@ Message done_message(const ConsoleModel& model, const v1::InstructorRequest& req
   return {};
 }
 
+/// Holds at once, so that the same key pressed again means the opposite: the next status may be a moment away.
+void note_lock(v1::Status& status, const v1::InstructorRequest& request) {
+  if (!request.has_lock() && !request.has_unlock()) return;
+  const auto seat = request.has_lock() ? request.lock().station() : request.unlock().station();
+  for (auto& entry : *status.mutable_stations())
+    if (entry.station() == seat) entry.set_locked(request.has_lock());
+}
+
 }  // namespace
 
 const v1::StationStatus* seat_of(const v1::Status& status, int seat) {
@@ -216,6 +224,7 @@ ConsoleModel with_answer(ConsoleModel model, const v1::InstructorRequest& reques
     model.watched.is_typing = request.has_take();
     return model;
   }
+  if (model.status) note_lock(*model.status, request);
   const bool is_line = answer.items_size() == 1 && answer.items(0).has_done();
   if (!answer.items().empty() && !is_line) {
     model.overlay = Overlay::page;

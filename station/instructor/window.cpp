@@ -56,7 +56,7 @@ std::optional<Input> key_input(wint_t key) {
   if (key == KEY_BACKSPACE) return Special::backspace;
   constexpr int kGiveBackKey = 8;
   if (key == KEY_F(kGiveBackKey)) return Special::give_back;
-  if (const auto other = station_key(key)) return *other;
+  if (auto other = station_key(key)) return other;
   if (key != KEY_MOUSE) return std::nullopt;
   MEVENT event{};
   if (getmouse(&event) != OK || (event.bstate & (BUTTON1_PRESSED | BUTTON1_CLICKED)) == 0) return std::nullopt;

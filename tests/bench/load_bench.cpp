@@ -1,5 +1,6 @@
-// The three loads of LOAD-001 with a console that mirrors every station (LOAD-004): how long a key takes to its screen,
-// what the server costs, how late the ticks are, how old the mirror's tiles get.
+// The three loads of LOAD-001 by fifteen real stations, with a console in a terminal and a mirror of every station
+// (LOAD-004): how long a key takes to its screen, what the server costs, how late the ticks are, how old the mirror's
+// tiles get.
 //
 //   bench_load [SECONDS]   per load, default 20; LOAD-003 wants 600 in all: bench_load 200
 #include <array>
@@ -85,34 +86,50 @@ struct Measured {
   std::uint64_t mirrored_bytes = 0;
 };
 
-/// One student: ten keys a second until the end.
-Times work(Typist& typist, int station, bool types, Clock::time_point end, Pressed& pressed) {
-  for (const Key key : {Key::MENU, types ? Key::EINGABE : Key::AUTOMAT, Key::ENTER, Key::ENTER}) typist.press(key);
-  if (!types) typist.press(Key::START);
+/// One student: ten keys a second until the end. The station says `ok` when its screen contains the effect.
+Times work(harness::StationProcess& seat, int station, bool types, Clock::time_point end, Pressed& pressed) {
+  seat.key(types ? "MENU EINGABE ENTER ENTER" : "MENU AUTOMAT ENTER ENTER START");
   Times times;
   auto next = Clock::now() + station * kBetweenKeys / kStations;
   for (std::uint32_t i = 0; next < end; ++i, next += kBetweenKeys) {
-    typist.idle_until(next);
+    std::this_thread::sleep_until(next);
     pressed[static_cast<std::size_t>(station)] = now_ns();
-    times.push_back(types ? typist.press(i % 5 == 4 ? Key::CLEAR : Key::D1) : typist.turn(60 + i % 40));
+    const auto before = Clock::now();
+    seat.expect_ok(types ? (i % 5 == 4 ? "key CLEAR" : "key 1") : fmt::format("pot {}", 60 + i % 40));
+    times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - before).count());
   }
-  typist.press(types ? Key::MENU : Key::STOP);
+  seat.key(types ? "MENU" : "STOP");
   return times;
 }
 
-Measured measure(harness::Classroom& room, const Load& load, std::chrono::seconds time) {
+/// The console that an instructor looks at, on a terminal that is read all the time.
+void look_at_console(harness::Classroom& room, const std::atomic<bool>& is_over) {
+  harness::Terminal console(
+      {.program = harness::programs_folder() / "cnclab-instructor",
+       .arguments = {"--server", room.server().address(), "--user", "lehrer", "--password-file",
+                     room.passwords().file_of("lehrer").string(), "--fingerprint", room.server().fingerprint()},
+       .environment = {},
+       .rows = 24,
+       .columns = 80});
+  console.wait_for("q Ende");
+  for (; !is_over; std::this_thread::sleep_for(20ms)) console.update();
+}
+
+using Seats = std::vector<harness::StationProcess>;
+
+Measured measure(harness::Classroom& room, Seats& seats, const Load& load, std::chrono::seconds time) {
   Measured all;
   std::mutex mutex;
   Pressed pressed{};
   std::atomic<bool> is_over = false;
   const auto end = Clock::now() + time;
   const auto port = room.server().port();
+  std::jthread console([&] { look_at_console(room, is_over); });
   std::vector<std::jthread> tiles, students;
   for (int station = 1; station <= kStations; ++station) {
-    students.emplace_back([&, station, password = room.passwords().password_of(student_name(station))] {
-      Typist typist(port, station);
-      if (!typist.log_in(student_name(station), password)) throw std::runtime_error("no log-in");
-      const Times mine = work(typist, station, station <= load.typing, end, pressed);
+    students.emplace_back([&, station] {
+      harness::StationProcess& seat = seats[static_cast<std::size_t>(station - 1)];
+      const Times mine = work(seat, station, station <= load.typing, end, pressed);
       const std::lock_guard lock(mutex);
       all.keys_us.insert(all.keys_us.end(), mine.begin(), mine.end());
     });
@@ -131,12 +148,12 @@ Measured measure(harness::Classroom& room, const Load& load, std::chrono::second
   return all;
 }
 
-void run(harness::Classroom& room, const Load& load, std::chrono::seconds time) {
+void run(harness::Classroom& room, Seats& seats, const Load& load, std::chrono::seconds time) {
   const pid_t server = room.server().pid();
   const double cpu_before = cpu_seconds(server);
   const double late_before = room.instructor().status()["ticks"]["late"];
   const auto start = Clock::now();
-  Measured measured = measure(room, load, time);
+  Measured measured = measure(room, seats, load, time);
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   const auto ticks = room.instructor().status()["ticks"];
   const auto figure = [&](const char* what, double value, const char* unit) {
@@ -163,10 +180,12 @@ int main(int argc, char** argv) try {
   harness::Classroom room;
   const std::string endless = "P0001N001G11F2000N002G01X+20000Y+10000N003G01X-20000Y-10000N004G20P0001N002%";
   for (int i = 1; i <= bench::kStations; ++i) room.add_student(bench::student_name(i), {endless});
+  bench::Seats seats;
+  for (int i = 1; i <= bench::kStations; ++i) seats.push_back(room.seat(i, bench::student_name(i)));
   auto floor = bench::ping_pong();
   bench::print_percentiles("tcp_tls_pingpong_us", floor, "us");
   for (const bench::Load& load : {bench::Load{"typing", 15}, {"running", 0}, {"mixed", 8}})
-    bench::run(room, load, time);
+    bench::run(room, seats, load, time);
   return 0;
 } catch (const std::exception& error) {
   fmt::print(stderr, "bench_load: {}\n", error.what());

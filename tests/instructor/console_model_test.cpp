@@ -126,6 +126,18 @@ TEST(ConsoleModel, AUTH_004_a_refusal_stands_on_the_message_line) {
   EXPECT_TRUE(refused.message.is_error);
 }
 
+TEST(ConsoleModel, INS_002_l_twice_locks_and_unlocks_before_the_next_status_comes) {
+  auto model = connected();
+  model.status->add_stations()->set_station(7);
+  model = react(std::move(model), Typed{U'7'}).model;
+  const Reaction lock = react(model, Typed{U'l'});
+  ASSERT_TRUE(lock.request && lock.request->has_lock());
+  v1::InstructorAnswer answer;
+  answer.add_items()->mutable_done()->set_ok(true);
+  const Reaction unlock = react(with_answer(lock.model, *lock.request, answer), Typed{U'l'});
+  EXPECT_TRUE(unlock.request && unlock.request->has_unlock());
+}
+
 TEST(ConsoleModel, AUTH_005_an_accepted_select_tells_what_the_student_has_to_do) {
   v1::InstructorRequest request;
   request.mutable_select()->set_station(7);
