@@ -42,7 +42,7 @@ class Database {
   std::optional<PersonId> add_person(const Person& person, std::int64_t now_ms);
   void set_password(PersonId id, const std::string& hash, bool must_change);
   void set_language(PersonId id, const std::string& language);  ///< "de", "en", "" for the lab's
-  void set_model(PersonId id, const std::string& model);  ///< "3300", "3250", "" for the lab's (DEC-08)
+  void set_model(PersonId id, const std::string& model);        ///< "3300", "3250", "" for the lab's (DEC-08)
   void set_last_seen(PersonId id, std::int64_t now_ms);
   void archive(PersonId id, std::int64_t now_ms);
   void unarchive(PersonId id);
