@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "cnclab/v1/envelope.pb.h"
-#include "lab/console.hpp"
+#include "lab/console/console.hpp"
 #include "shared/frame.hpp"
 
 namespace cnclab::lab {

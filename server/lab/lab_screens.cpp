@@ -4,7 +4,7 @@
 
 #include "cnclab/v1/envelope.pb.h"
 #include "lab/lab.hpp"
-#include "lab/labor_screen.hpp"
+#include "lab/labor/labor_screen.hpp"
 
 namespace cnclab::lab {
 

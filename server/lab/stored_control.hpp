@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "db/database.hpp"
-#include "lab/cassettes.hpp"
+#include "lab/media/cassettes.hpp"
 #include "machine/machine_data.hpp"
 #include "panel/control.hpp"
 #include "panel/memory.hpp"

@@ -8,8 +8,8 @@
 #include "panel/control_impl.hpp"
 #include "panel/key_table.hpp"
 #include "panel/remote_line.hpp"
-#include "panel/run_end.hpp"
-#include "panel/screen_frame.hpp"
+#include "panel/run/run_end.hpp"
+#include "panel/screen/screen_frame.hpp"
 #include "panel/state_json.hpp"
 
 namespace cnclab::panel {

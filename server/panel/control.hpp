@@ -22,11 +22,11 @@
 #include "machine/machine_data.hpp"
 #include "machine/milling.hpp"
 #include "panel/connection.hpp"
-#include "panel/long_work.hpp"
 #include "panel/media.hpp"
 #include "panel/memory.hpp"
 #include "panel/mode.hpp"
-#include "panel/serial_port.hpp"
+#include "panel/run/long_work.hpp"
+#include "panel/run/serial_port.hpp"
 #include "shared/key.hpp"
 #include "shared/screen.hpp"
 #include "transfer/cassette.hpp"
@@ -180,7 +180,7 @@ class Control {
   enum class RecorderKey : std::uint8_t { rewind, wind_on, stop, zero_counter };
   void press_recorder(RecorderKey key, const Now& now);
 
-  // The serial line (panel/serial_port.hpp)
+  // The serial line (panel/run/serial_port.hpp)
   void fit_line(LineFitting fitting);
   /// The switch at the back (KEY-008).
   void set_remote(bool is_on);

@@ -5,7 +5,7 @@
 
 #include "panel/control.hpp"
 #include "panel/control_state.hpp"
-#include "panel/modes.hpp"
+#include "panel/modes/modes.hpp"
 
 namespace cnclab::panel {
 

@@ -1,4 +1,4 @@
-// The serial line of a control: what the lab connects, brings and takes (panel/serial_port.hpp).
+// The serial line of a control: what the lab connects, brings and takes (panel/run/serial_port.hpp).
 #include "panel/control_impl.hpp"
 #include "panel/remote_line.hpp"
 

@@ -10,9 +10,9 @@
 #include "language/error.hpp"
 #include "panel/control.hpp"
 #include "panel/panel_clock.hpp"
-#include "panel/run.hpp"
-#include "panel/serial_port.hpp"
-#include "panel/texts.hpp"
+#include "panel/run/run.hpp"
+#include "panel/run/serial_port.hpp"
+#include "panel/screen/texts.hpp"
 #include "program/modal_state.hpp"
 #include "transfer/cassette_deck.hpp"
 

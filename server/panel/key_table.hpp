@@ -9,7 +9,7 @@
 
 #include "language/block_form.hpp"
 #include "panel/mode.hpp"
-#include "panel/texts.hpp"
+#include "panel/screen/texts.hpp"
 #include "shared/key.hpp"
 
 namespace cnclab::panel {

@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "panel/modes.hpp"
+#include "panel/modes/modes.hpp"
 
 namespace cnclab::panel {
 

@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "panel/editor_json.hpp"
-#include "panel/hand_json.hpp"
+#include "panel/modes/editor_json.hpp"
+#include "panel/modes/hand_json.hpp"
 
 namespace cnclab::panel {
 

@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-#include "panel/modes.hpp"
+#include "panel/modes/modes.hpp"
 
 namespace cnclab::panel {
 

@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 
-#include "lab/run_order_json.hpp"
+#include "lab/runs/run_order_json.hpp"
 
 namespace db = cnclab::db;
 namespace lab = cnclab::lab;

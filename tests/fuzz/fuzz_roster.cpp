@@ -3,7 +3,7 @@
 #include <cstdlib>
 #include <string_view>
 
-#include "lab/roster_csv.hpp"
+#include "lab/console/roster_csv.hpp"
 
 using cnclab::language::Tongue;
 

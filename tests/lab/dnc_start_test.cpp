@@ -1,5 +1,5 @@
 // Who may start what over the serial line: every reason, one row (AUTH-013, AUTH-008, DEC-35).
-#include "lab/dnc_start.hpp"
+#include "lab/media/dnc_start.hpp"
 
 #include <gtest/gtest.h>
 

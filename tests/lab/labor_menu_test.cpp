@@ -1,10 +1,10 @@
 // The lab's own menu: what each key does on each page, and how the pages stand in rows 18 to 23 (interfaces.md 3).
-#include "lab/labor_menu.hpp"
+#include "lab/labor/labor_menu.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "lab/labor_screen.hpp"
+#include "lab/labor/labor_screen.hpp"
 
 namespace cnclab::lab {
 namespace {

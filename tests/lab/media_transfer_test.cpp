@@ -1,5 +1,5 @@
 // Files between control and station, the server's end (interfaces.md section 7): chunk by chunk, in order, bounded.
-#include "lab/media_transfer.hpp"
+#include "lab/media/media_transfer.hpp"
 
 #include <gmock/gmock.h>
 

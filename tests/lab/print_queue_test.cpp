@@ -1,5 +1,5 @@
 // Pages to the lab's printer: what lp is given, what it says, and a limit for one that hangs ([printer] queue).
-#include "lab/print_queue.hpp"
+#include "lab/media/print_queue.hpp"
 
 #include <gmock/gmock.h>
 #include <sys/stat.h>

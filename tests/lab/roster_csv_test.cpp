@@ -1,5 +1,5 @@
 // The roster's CSV: what is read, what is refused and in which line (INS-004).
-#include "lab/roster_csv.hpp"
+#include "lab/console/roster_csv.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

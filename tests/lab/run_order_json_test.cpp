@@ -1,5 +1,5 @@
 // What a run was begun with, read back from a database that may hold anything (STO-007).
-#include "lab/run_order_json.hpp"
+#include "lab/runs/run_order_json.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,14 +1,14 @@
 // Recorded runs played again: the same trajectory from versions, start and events alone (STO-007).
-#include "lab/run_replay.hpp"
+#include "lab/runs/run_replay.hpp"
 
 #include <gtest/gtest.h>
 
 #include <future>
 #include <nlohmann/json.hpp>
 
-#include "lab/console.hpp"
-#include "lab/run_order_json.hpp"
-#include "lab/run_recorder.hpp"
+#include "lab/console/console.hpp"
+#include "lab/runs/run_order_json.hpp"
+#include "lab/runs/run_recorder.hpp"
 #include "lab/stored_control.hpp"
 #include "language/tape.hpp"
 #include "machine/simulated_machine.hpp"

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "bench.hpp"
-#include "panel/entry_line.hpp"
+#include "panel/modes/entry_line.hpp"
 
 namespace cnclab::panel {
 namespace {

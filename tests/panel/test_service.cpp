@@ -3,7 +3,7 @@
 
 #include "bench.hpp"
 #include "panel/panel_clock.hpp"
-#include "panel/texts.hpp"
+#include "panel/screen/texts.hpp"
 
 namespace cnclab::panel {
 namespace {

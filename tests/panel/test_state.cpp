@@ -6,8 +6,8 @@
 #include <random>
 
 #include "bench.hpp"
-#include "panel/canvas.hpp"
-#include "panel/texts.hpp"
+#include "panel/screen/canvas.hpp"
+#include "panel/screen/texts.hpp"
 
 namespace cnclab::panel {
 namespace {

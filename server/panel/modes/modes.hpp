@@ -1,0 +1,39 @@
+// The operating modes as one value: which is active, and what each adds to screens and keys.
+#pragma once
+
+#include <string>
+#include <variant>
+
+#include "panel/modes/automat_mode.hpp"
+#include "panel/modes/editor_mode.hpp"
+#include "panel/modes/erase_memory_mode.hpp"
+#include "panel/modes/external_data_mode.hpp"
+#include "panel/modes/graphics_mode.hpp"
+#include "panel/modes/hand_input_mode.hpp"
+#include "panel/modes/hand_mode.hpp"
+#include "panel/modes/machine_data_mode.hpp"
+#include "panel/modes/memory_test_mode.hpp"
+#include "panel/modes/menu_mode.hpp"
+#include "panel/modes/teach_in_mode.hpp"
+
+namespace cnclab::panel {
+
+using ActiveMode = std::variant<MenuMode, HandMode, HandInputMode, TeachInMode, AutomatMode, EditorMode, GraphicsMode,
+                                EraseMemoryMode, MachineDataMode, MemoryTestMode, ExternalDataMode>;
+
+[[nodiscard]] ActiveMode open_mode(Mode mode, ControlState& state);
+/// Called before another mode becomes active.
+void close_mode(ActiveMode& mode, ControlState& state);
+
+[[nodiscard]] Mode mode_of(const ActiveMode& mode);
+[[nodiscard]] Place place_of(const ActiveMode& mode, const ControlState& state);
+/// figure   0..9 of a digit, 0..5 of a direction key
+void press(ActiveMode& mode, ControlState& state, Effect effect, int figure);
+/// Takes notice of what the machine and the time did.
+void follow(ActiveMode& mode, ControlState& state);
+/// The request is on disk and in the memory.
+void stored(ActiveMode& mode, ControlState& state, const StoreRequest& request);
+void draw(const ActiveMode& mode, const ControlState& state, Monitor& monitor);
+[[nodiscard]] std::string sentence_of(const ActiveMode& mode, const ControlState& state);
+
+}  // namespace cnclab::panel

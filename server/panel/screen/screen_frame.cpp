@@ -1,0 +1,159 @@
+// Everything on the screen that is the same in all operating modes.
+#include "panel/screen/screen_frame.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <vector>
+
+namespace cnclab::panel {
+
+namespace {
+
+constexpr int kFrameBottom = 17, kFrameRight = 65;
+constexpr int kSideColumn = 67, kLampColumn = 76;
+constexpr int kSentenceRow = 18, kAllKeysRow = 23;
+
+std::string two_digits(int value) {
+  const int shown = std::clamp(value, 0, 99);
+  return {static_cast<char>('0' + shown / 10), static_cast<char>('0' + shown % 10)};
+}
+
+std::string clock_text(const WallClock& clock) {
+  return two_digits(clock.hour) + ':' + two_digits(clock.minute) + ':' + two_digits(clock.second) + ' ' +
+         two_digits(clock.day) + '/' + two_digits(clock.month) + '/' + two_digits(clock.year);
+}
+
+std::string five_digits(int value) {
+  const std::string digits = std::to_string(std::clamp(value, 0, 99999));
+  return std::string(5 - digits.size(), '0') + digits;
+}
+
+/// Motion screens carry their title in line 1, the others in line 2 (SCR-004, SCR-005).
+bool is_motion_mode(Mode mode) {
+  return mode == Mode::hand || mode == Mode::hand_input || mode == Mode::teach_in || mode == Mode::automat;
+}
+
+char32_t spindle_sign(geometry::SpindleTurn turn) {
+  switch (turn) {
+    case geometry::SpindleTurn::off:
+      return U'○';
+    case geometry::SpindleTurn::clockwise:
+      return U'↻';
+    case geometry::SpindleTurn::counterclockwise:
+      return U'↺';
+  }
+  return U'○';
+}
+
+void draw_lamps(Canvas& canvas, const Lamps& lamps, language::Tongue tongue) {
+  constexpr int kFirstRow = 9;
+  struct Lamp {
+    Text label;
+    char32_t sign;
+  };
+  const auto sign = [](bool on) { return on ? U'●' : U'○'; };
+  const Lamp rows[] = {{Text::side_start, sign(lamps.start)},
+                       {Text::side_single, sign(lamps.single_block)},
+                       {Text::side_spindle, spindle_sign(lamps.spindle)},
+                       {Text::side_coolant, sign(lamps.coolant)},
+                       {Text::side_limit, sign(lamps.limit)}};
+  int row = kFirstRow;
+  for (const Lamp& lamp : rows) {
+    canvas.write(row, kSideColumn, text(lamp.label, tongue));
+    canvas.put(row, kLampColumn, lamp.sign);
+    ++row;
+  }
+}
+
+/// Breaks at the last blank that fits; a text without one is cut.
+std::pair<std::string, std::string> broken_at(const std::string& sentence, int columns) {
+  if (columns_of(sentence) <= columns) return {sentence, {}};
+  std::size_t place = std::string::npos;
+  for (std::size_t i = 0; i < sentence.size(); ++i)
+    if (sentence[i] == ' ' && columns_of(std::string_view(sentence).substr(0, i)) <= columns) place = i;
+  if (place == std::string::npos) return {sentence, {}};
+  return {sentence.substr(0, place), sentence.substr(place + 1)};
+}
+
+std::string keys_text(const KeyRow& row, language::Tongue tongue) {
+  const std::string help(text(row.help, tongue));
+  if (row.first == Key::PLUS_X) return "±X ±Y ±Z " + help;
+  if (row.first != row.last)
+    return std::string(label_of(row.first)) + "-" + std::string(label_of(row.last)) + " " + help;
+  return std::string(label_of(row.first)) + " " + help;
+}
+
+}  // namespace
+
+void draw_frame(Canvas& canvas) {
+  for (int column = 1; column < kFrameRight; ++column) {
+    canvas.put(0, column, U'─');
+    canvas.put(kFrameBottom, column, U'─');
+  }
+  for (int row = 1; row < kFrameBottom; ++row) {
+    canvas.put(row, 0, U'│');
+    canvas.put(row, kFrameRight, U'│');
+  }
+  canvas.put(0, 0, U'┌');
+  canvas.put(0, kFrameRight, U'┐');
+  canvas.put(kFrameBottom, 0, U'└');
+  canvas.put(kFrameBottom, kFrameRight, U'┘');
+}
+
+void draw_header(Monitor& monitor, Mode mode, const Settings& settings, const WallClock& clock, int free_bytes) {
+  constexpr int kTitleColumn = 19, kClockColumn = 46, kFreeColumn = 58;
+  const bool is_3300 = settings.vocabulary.model == language::Model::cnc3300;
+  monitor.write(0, 0, is_3300 ? "CNC 3300" : "CNC 3250");
+  const bool is_motion = is_motion_mode(mode);
+  monitor.write(is_motion ? 0 : 1, is_motion ? kTitleColumn : 0, title_of(mode, settings.tongue));
+  monitor.write(0, kClockColumn, clock_text(clock));
+  monitor.write(1, kFreeColumn, five_digits(free_bytes));
+}
+
+void draw_side(Canvas& canvas, const SideView& side, const Lamps& lamps, language::Tongue tongue) {
+  constexpr int kWidth = Screen::kColumns - kSideColumn;
+  const auto line = [&](int row, int column, std::string_view content, Attribute attribute = Attribute::normal) {
+    canvas.write(row, column, content, attribute, kWidth - (column - kSideColumn));
+  };
+  const auto seat = [&](int station) { return text(Text::side_seat, tongue, {two_digits(station)}); };
+  line(0, kSideColumn, seat(side.station));
+  line(1, kSideColumn, side.user);
+  line(3, kSideColumn + 1, text(side.on_lab_machine ? Text::side_machine : Text::side_training, tongue),
+       side.on_lab_machine ? Attribute::inverse : Attribute::normal);
+  line(5, kSideColumn, text(Text::side_controller, tongue));
+  line(6, kSideColumn,
+       side.controlling_station == 0 ? std::string(text(Text::side_nobody, tongue)) : seat(side.controlling_station));
+  if (!lamps.is_referenced) line(7, kSideColumn, text(Text::side_unreferenced, tongue));
+  std::string percent = std::to_string(std::clamp(side.override_percent, 0, 999));
+  percent.insert(0, 3 - percent.size(), ' ');
+  line(8, kSideColumn, text(Text::side_override, tongue, {percent}));
+  draw_lamps(canvas, lamps, tongue);
+  if (side.meldung > 0) line(15, kSideColumn, text(Text::side_message, tongue, {std::to_string(side.meldung)}));
+  if (!side.halted_by.empty())
+    line(16, kSideColumn, text(Text::side_halt, tongue, {side.halted_by}), Attribute::inverse);
+}
+
+void draw_bottom(Canvas& canvas, const std::string& sentence, Place place, const Settings& settings) {
+  constexpr int kGap = 3, kFirstColumn = 1;
+  const auto [first, rest] = broken_at(sentence, Screen::kColumns);
+  canvas.write(kSentenceRow, 0, first);
+  if (!rest.empty()) canvas.write(kSentenceRow + 1, 0, rest);
+  const std::string_view all_keys = text(Text::all_keys, settings.tongue);
+  canvas.write(kAllKeysRow, kFirstColumn, all_keys);
+  int row = kSentenceRow + (rest.empty() ? 1 : 2), column = kFirstColumn;
+  for (const KeyRow& entry : key_table()) {
+    if (entry.place != place || !has_row(entry, settings.vocabulary)) continue;
+    const std::string keys = keys_text(entry, settings.tongue);
+    const int width = columns_of(keys);
+    if (column > kFirstColumn && column + width > Screen::kColumns) {
+      ++row;
+      // Keys that do not fit above stand beside the last row's own.
+      column = row == kAllKeysRow ? kFirstColumn + columns_of(all_keys) + kGap : kFirstColumn;
+    }
+    if (row > kAllKeysRow) break;
+    canvas.write(row, column, keys);
+    column += width + kGap;
+  }
+}
+
+}  // namespace cnclab::panel
