@@ -122,13 +122,14 @@ using MachineEvent = std::variant<Dwell, Spindle, Coolant, ToolChange, Output, W
 /// One item of the stream, in the order in which the machine does it.
 struct PathItem {
   SourceBlock source;
-  std::uint64_t sequence = 0;        ///< running number of the executed block since START, from 1
-  bool ends_block = false;           ///< last item of its block: EINZELSATZ stops behind it
-  bool passes_single_block = false;  ///< EINZELSATZ does not stop behind this block: subprogram under M22 (KEY-046)
-  bool is_fourth_axis = false;       ///< G12: a line of U alone
-  bool exact_stop = false;           ///< G61..G66: ramp to F START/STOP, then creep (DEC-20)
-  bool override_off = false;         ///< M23: the potentiometer does not act (taken as 100 %)
-  std::uint8_t named_axes = 0;       ///< ways: axes that have a word in the block, X 1, Y 2, Z 4 (COMP-015, D-72)
+  std::uint64_t sequence = 0;  ///< running number of the executed block since START, from 1
+  bool ends_block = false;     ///< last item of its block: EINZELSATZ stops behind it
+  bool passes_single_block =
+      false;  ///< EINZELSATZ does not stop behind this block: the next one is of a subprogram under M22 (KEY-046)
+  bool is_fourth_axis = false;  ///< G12: a line of U alone
+  bool exact_stop = false;      ///< G61..G66: ramp to F START/STOP, then creep (DEC-20)
+  bool override_off = false;    ///< M23: the potentiometer does not act (taken as 100 %)
+  std::uint8_t named_axes = 0;  ///< ways: axes that have a word in the block, X 1, Y 2, Z 4 (COMP-015, D-72)
   std::variant<Line, Arc, Dwell, Spindle, Coolant, ToolChange, Output, Wait, SetActual, Reference, Halt, Signal,
                SpindleDigits, End, Mark, RadiusOffset, LengthOffset, CornerRounding>
       what = Mark{};

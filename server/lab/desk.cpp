@@ -60,6 +60,7 @@ void Desk::set_workpiece(const machine::WorkpieceSpec& spec) {
 
 std::uint64_t Desk::handled() const {
   if (storing && *storing > 0) return *storing - 1;
+  if (switching && *switching > 0) return *switching - 1;
   for (const Input& input : waiting)
     if (input.number > 0) return input.number - 1;
   return received;

@@ -85,6 +85,7 @@ struct Desk {
 
   std::deque<Input> waiting;                ///< keys that came while something was being stored
   std::uint64_t received = 0;               ///< number of the last input that came
+  std::optional<std::uint64_t> switching;   ///< number of the input whose order the machine has yet to take
   std::optional<std::uint64_t> storing;     ///< number of the input whose store is on its way
   bool ignore_start_until_release = false;  ///< the START that accepted an offer (AUTH-005)
   std::optional<LaborMenu> labor;           ///< the lab's menu while it is open (key LABOR)
@@ -104,6 +105,7 @@ struct Desk {
   std::string saved_state;
   bool is_dirty = true;  ///< the screen is to be drawn
   bool was_busy = false;
+  panel::Indication indicated;  ///< of the machine at rest, when it was looked at last
 
   /// Every input up to this number has had its effect.
   [[nodiscard]] std::uint64_t handled() const;

@@ -134,6 +134,7 @@ void Lab::poll() {
   for (const DeskPtr& desk : seats_.list()) {
     if (panel::Outcome followed = desk->control.poll(now(*desk)); followed.is_anything())
       outcome(desk, std::move(followed), 0);
+    heed_switched(desk);
     watch_media(desk, now_ns);
     watch_recorder(desk);
     record_run(desk);

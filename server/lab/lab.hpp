@@ -119,6 +119,8 @@ class Lab {
   void act(const DeskPtr& desk, const Input& input);
   void start_pressed(const DeskPtr& desk, const Input& input);
   void outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t number);
+  /// The machine has taken what a key ordered: the key is handled, and those that waited behind it follow.
+  void heed_switched(const DeskPtr& desk);
   void store(const DeskPtr& desk, panel::StoreRequest request, std::uint64_t number, const std::string& author);
   [[nodiscard]] bool is_fresh(const Desk& desk, const Input& input) const;
   void note(Desk& desk, const std::string& sentence);
@@ -210,6 +212,9 @@ class Lab {
   // lab_runs.cpp
   /// Begins, follows and ends the record of what the desk's control runs.
   void record_run(const DeskPtr& desk);
+  void begin_recording(const DeskPtr& desk, RunRecorder& recorder, const std::shared_ptr<const panel::RunOrder>& order,
+                       const machine::Snapshot& snapshot);
+  [[nodiscard]] bool is_hand_recorded(const Desk& desk) const;
   void end_recording(const DeskPtr& desk, RunRecorder& recorder, machine::StopCause cause);
   /// Whatever the tools did wrong: told to the student, written down, counted as an error.
   void tell_milling(const DeskPtr& desk);

@@ -102,7 +102,7 @@ bool Lab::take_urgent(const DeskPtr& desk, const Input& input) {
 }
 
 void Lab::pump(const DeskPtr& desk) {
-  while (!desk->waiting.empty() && !desk->control.is_storing() && !desk->storing) {
+  while (!desk->waiting.empty() && !desk->control.is_storing() && !desk->storing && !desk->switching) {
     const Input input = std::move(desk->waiting.front());
     desk->waiting.pop_front();
     act(desk, input);
@@ -172,7 +172,15 @@ void Lab::outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t num
   if (outcome.was_reset && desk->on_lab_machine)  // DEC-39
     static_cast<void>(decide(Deprived{desk->login, "RESET"}, tongue_of(desk->person)));
   if (outcome.remote_start) judge_remote_start(desk, *outcome.remote_start);
+  if (!desk->switching && desk->control.awaits_machine()) desk->switching = number;
   record_run(desk);  // a run that begins now is recorded with the versions that the store has now
+}
+
+void Lab::heed_switched(const DeskPtr& desk) {
+  if (!desk->switching || desk->control.awaits_machine()) return;
+  desk->switching.reset();
+  desk->is_dirty = true;
+  pump(desk);
 }
 
 void Lab::store(const DeskPtr& desk, panel::StoreRequest request, std::uint64_t number, const std::string& author) {

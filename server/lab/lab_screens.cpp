@@ -36,6 +36,9 @@ void Lab::draw_due(std::int64_t now_ns) {
     const bool was_started = desk->situation.started;
     note_situation(*desk);
     if (was_started != desk->situation.started) desk->is_dirty = true;
+    // Lamps and counters follow the machine also where no key has changed them: the instructor's power-off, a switch.
+    if (!is_busy && std::exchange(desk->indicated, desk->control.indication()) != desk->indicated)
+      desk->is_dirty = true;
     if (desk->is_dirty || moving || clock_moved) draw(desk, now_ns);
   }
 }

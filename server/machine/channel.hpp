@@ -161,8 +161,10 @@ struct Snapshot {
 /// What acted on a run in one tick, as the tick itself saw it: with it a run can be played again (STO-007).
 struct TickLevels {
   float override_ratio = 1;  ///< potentiometer 0..1
-  std::uint32_t inputs = 0;  ///< bit 0 Input 1, 8..15 card 1, 16..23 card 2, as they came back from the machine
-  std::uint16_t stops = 0;   ///< bit = StopCause, those heard in this tick
+  /// Bit 0 Input 1, 8..15 card 1, 16..23 card 2: as the tick found them, and as they came back from the machine. Only
+  /// behind a rest, which is not traced, a tick finds others than the one before it brought.
+  std::uint32_t inputs_found = 0, inputs = 0;
+  std::uint16_t stops = 0;  ///< bit = StopCause, those heard in this tick
   bool single_block = false;
   bool go = false;                       ///< a START took effect: begin, going on, release of a halt
   std::array<std::int8_t, 3> by_hand{};  ///< directions of a Jog or RunReference that took effect
@@ -224,7 +226,8 @@ class Channel {
   /// New machine data, at rest only; runs take them up when they begin (DEC-28). False while started or moving.
   [[nodiscard]] bool set_data(const MachineData& data);
   [[nodiscard]] Snapshot snapshot() const;
-  /// From now on every tick of a run (START state) is kept in a bounded ring until it is drained; off by default.
+  /// From now on every tick of a run (START state, and each tick in which a START took effect, even one that rests in
+  /// the same tick) is kept in a bounded ring until it is drained; off by default.
   void record_trace(bool on);
   /// Appends what was traced since the last call; returns ticks that were lost because nobody drained in time.
   std::uint64_t drain_trace(std::vector<TracePoint>& out);

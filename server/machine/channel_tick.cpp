@@ -5,6 +5,16 @@
 
 namespace cnclab::machine {
 
+namespace {
+
+/// As `TickLevels` has them.
+std::uint32_t levels_of(const Inputs& inputs) noexcept {
+  return (inputs.input_1 ? 1U : 0U) | static_cast<std::uint32_t>(inputs.cards[0]) << 8U |
+         static_cast<std::uint32_t>(inputs.cards[1]) << 16U;
+}
+
+}  // namespace
+
 ChannelTick::ChannelTick(Machine& machine, motion::SegmentQueue& queue, Mailbox& mail, const motion::Limits& limits)
     : machine_(machine), mail_(mail), follower_(queue, limits), limits_(limits), counters_(limits.steps_per_mm) {}
 
@@ -195,7 +205,9 @@ void ChannelTick::show_tool() noexcept {
 }
 
 void ChannelTick::trace(const Snapshot& state) noexcept {
-  if (!mail_.trace_on.load(std::memory_order_acquire) || !(started_ || was_started_)) return;
+  // A block without a way, and EINZELSATZ: begun and at rest again within one tick.
+  const bool belongs_to_run = started_ || was_started_ || levels_.go;
+  if (!mail_.trace_on.load(std::memory_order_acquire) || !belongs_to_run) return;
   TraceRing* ring = mail_.trace.load(std::memory_order_acquire);
   if (ring == nullptr) return;
   TracePoint point;
@@ -206,8 +218,8 @@ void ChannelTick::trace(const Snapshot& state) noexcept {
   point.spindle_rpm = is_reversed ? -state.spindle_rpm : state.spindle_rpm;
   point.source = state.source;
   point.levels = levels_;
-  point.levels.inputs = (inputs_.input_1 ? 1U : 0U) | static_cast<std::uint32_t>(inputs_.cards[0]) << 8U |
-                        static_cast<std::uint32_t>(inputs_.cards[1]) << 16U;
+  point.levels.inputs_found = levels_of(inputs_before_);
+  point.levels.inputs = levels_of(inputs_);
   if (!ring->push(point)) mail_.trace_lost.fetch_add(1, std::memory_order_relaxed);
 }
 

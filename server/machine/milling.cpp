@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace cnclab::machine {
 
@@ -43,7 +44,8 @@ void Milling::note(MillingEvent::Kind kind, const ToolPoint& point) {
 }
 
 void Milling::cut_to(const ToolPoint& point) {
-  const double radius = std::max(point.radius_mm, piece_->cell_mm() / 2);
+  // A tool without a radius meets the middle of a cell wherever it stands: none is further away than half a diagonal.
+  const double radius = std::max(point.radius_mm, piece_->cell_mm() * std::numbers::sqrt2 / 2 + 2 * kEdge_mm);
   const Cut cut = piece_->cut(place_of(cut_), place_of(point), radius, kEdge_mm);
   cut_ = point;
   if (cut.contact_mm < kTouch_mm) return;

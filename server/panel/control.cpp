@@ -59,6 +59,14 @@ bool is_labs_own(Key key) {
   return key == Key::none || key == Key::MELDUNG || key == Key::MASCHINE_HALT || key == Key::LABOR;
 }
 
+/// A block that has just come onto the screen was read for that, and its check code did not fit (ERR-004, 6.8).
+void tell_damage(const std::optional<geometry::SourceBlock>& before, const std::optional<geometry::SourceBlock>& now,
+                 ControlState& state) {
+  if (!now || now == before || !state.message.monitor.empty()) return;
+  state.complain(
+      language::Error{.code = language::ErrorCode::checksum_wrong, .program = now->program, .block = now->block});
+}
+
 constexpr int kBeeperDatum = 22;
 
 /// The machine that is about to be taken away may have run onto a switch while it braked for the lease.
@@ -124,6 +132,7 @@ Outcome Control::press(Key key, const Now& now) {
   if (is_labs_own(key)) return outcome;
   if (key == Key::STOP) impl_->stop_machine();
   state.hint.clear();
+  state.is_switching = false;
   if (state.storing) {
     if (key != Key::STOP && state.settings.hints)
       state.hint = text(Text::hint_storing, state.tongue(), {label_of(key)});
@@ -135,8 +144,10 @@ Outcome Control::press(Key key, const Now& now) {
   }
   const Place place = impl_->place();
   const Effect effect = effect_of(place, key, state.settings.vocabulary);
+  const auto damaged_before = damaged_block(impl_->active, state);
   if (effect == Effect::ignored) {
-    if (state.settings.hints) state.hint = hint_for(key, place, state.settings);
+    // While an axis is driven off its switch row 18 says so already.
+    if (state.settings.hints && !state.run.is_backing_off()) state.hint = hint_for(key, place, state.settings);
     return outcome;
   }
   state.message = {};
@@ -145,6 +156,7 @@ Outcome Control::press(Key key, const Now& now) {
   else
     panel::press(impl_->active, state, effect, figure_of(effect, key));
   impl_->obey_mode(outcome);
+  tell_damage(damaged_before, damaged_block(impl_->active, state), state);
   outcome.store = state.storing;
   impl_->hand_out_media(outcome);
   impl_->hand_out_line(outcome);
@@ -288,6 +300,22 @@ bool Control::is_busy() const {
   const auto* graphics = std::get_if<GraphicsMode>(&impl_->active);
   const bool plays = graphics != nullptr && (graphics->is_playing || (graphics->test && graphics->test->is_busy()));
   return plays || is_running() || recorder_runs() || impl_->place() == Place::external_transfer;
+}
+
+bool Control::awaits_machine() const {
+  const ControlState& state = impl_->state;
+  const bool is_switching = state.is_switching && state.connection.channel && !state.connection.channel->is_settled();
+  return is_switching || state.run.awaits_answer();
+}
+
+Indication Control::indication() const {
+  const machine::Snapshot machine = impl_->state.machine();
+  return {.istwert_mm = machine.istwert_mm,
+          .limit = machine.limit,
+          .spindle = machine.spindle,
+          .coolant = machine.coolant,
+          .is_referenced = machine.is_referenced,
+          .state = machine.state};
 }
 
 int Control::take_beeps() {

@@ -120,6 +120,16 @@ struct Situation {
   friend bool operator==(const Situation&, const Situation&) = default;
 };
 
+/// What lamps and counters show of the machine that is connected; while nothing runs it changes without a key too.
+struct Indication {
+  std::array<double, 4> istwert_mm{};
+  std::array<bool, 4> limit{};
+  geometry::SpindleTurn spindle{};
+  bool coolant = false, is_referenced = false;
+  machine::MotionState state{};
+  friend bool operator==(const Indication&, const Indication&) = default;
+};
+
 /// What the lab adds to the screen: the right-hand column and, when it has something to say, row 18.
 struct SideView {
   int station = 0;
@@ -205,6 +215,10 @@ class Control {
   [[nodiscard]] bool is_running() const;  ///< START state
   /// Does the screen change without a key: a run, a test run of GRAFIK, a transfer, the recorder?
   [[nodiscard]] bool is_busy() const;
+  /// The newest key has given the machine an order that it has not taken, some milliseconds long: what the screen shows
+  /// is not the key's effect before. Further keys wait until then; STOP does not.
+  [[nodiscard]] bool awaits_machine() const;
+  [[nodiscard]] Indication indication() const;
   /// What the run that is present was begun with, also while it rests; nullptr where there is none (STO-007).
   [[nodiscard]] std::shared_ptr<const RunOrder> run_order() const;
   /// Short tones since the last call; and whether the repeated tone of M01 sounds.

@@ -34,6 +34,7 @@ struct Control::Impl {
     if (!state.connection.channel) return;
     machine::Channel& channel = *state.connection.channel;
     channel.stop(machine::StopCause::operator_stop);
+    state.is_switching = true;
     (void)channel.command(machine::SwitchSpindle{state.connection.epoch, {}});
     (void)channel.command(machine::SwitchCoolant{state.connection.epoch, false});
   }

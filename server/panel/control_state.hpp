@@ -63,6 +63,7 @@ struct ControlState {
   std::optional<PutFiles> picture;                 ///< to be handed out, nobody awaits an answer
   SerialPort port;
   int beeps = 0;
+  bool is_switching = false;       ///< the newest key has ordered a switch or a counter: see Control::awaits_machine
   bool is_zero_confirmed = false;  ///< under the present lease (DEC-27)
   PanelClock clock;
   bool is_ram_faulty = false;     ///< injected: the memory test finds it (ERR-034)

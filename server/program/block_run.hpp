@@ -27,8 +27,7 @@ struct BlockRun {
   const language::Block& block;  ///< parameters already replaced by their values
   geometry::SourceBlock source;
   std::uint64_t sequence = 0;
-  bool passes_single_block = false;  ///< as PathItem has them
-  bool override_off = false;
+  bool override_off = false;  ///< as PathItem has it
   const Settings& settings;
   const ProgramSet& programs;
   std::span<const Frame> levels;  ///< active calls; the last one runs
@@ -43,11 +42,7 @@ struct BlockRun {
   /// Appends an event of this block, or a way of the fourth axis.
   template <typename What>
   void emit(const What& what) {
-    out.push_back({.source = source,
-                   .sequence = sequence,
-                   .passes_single_block = passes_single_block,
-                   .override_off = override_off,
-                   .what = what});
+    out.push_back({.source = source, .sequence = sequence, .override_off = override_off, .what = what});
   }
   /// Appends a way of the main axes.
   template <typename Element>

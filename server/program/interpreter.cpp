@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "program/compensation.hpp"
@@ -123,7 +124,6 @@ BlockRun Interpreter::bench_for(const language::Block& block, std::vector<geomet
   return {.block = block,
           .source = {.program = levels_.back().program->number, .block = block.number},
           .sequence = sequence_ + 1,
-          .passes_single_block = levels_.size() > 1 && state_.modal.subprogram_blocks_hidden,
           .override_off = state_.modal.potentiometer_off,
           .settings = settings_,
           .programs = programs_,
@@ -142,7 +142,7 @@ std::expected<ExecutedBlock, language::Error> Interpreter::execute_block(std::ve
   BlockRun run = bench_for(*with_values ? **with_values : level.program->blocks[level.next], out);
   const std::uint16_t main_program = levels_.front().program->number;
   const int depth = static_cast<int>(levels_.size()) - 1;
-  const bool is_shown = !state_.modal.blocks_hidden && !run.passes_single_block;
+  const bool is_shown = !state_.modal.blocks_hidden && !is_in_hidden_subprogram();
 
   const std::size_t items_before = out.size();
   if (Outcome outcome = execute_words(run); !outcome)
@@ -151,6 +151,11 @@ std::expected<ExecutedBlock, language::Error> Interpreter::execute_block(std::ve
   if (ended_) append_end(run);
   if (out.size() == items_before) run.emit(geometry::Mark{});
   out.back().ends_block = true;
+  // EINZELSATZ rests where the next block is one that it may show: never before a block of a hidden subprogram, and
+  // behind the last of them (KEY-046).
+  if (is_in_hidden_subprogram())
+    std::for_each(out.begin() + static_cast<std::ptrdiff_t>(items_before), out.end(),
+                  [](geometry::PathItem& item) { item.passes_single_block = true; });
   sequence_ = run.sequence;
   // Built in its place: copying it would take as long as the block's way takes to work out.
   return std::expected<ExecutedBlock, language::Error>(std::in_place, sequence_, run.source, depth, main_program,
@@ -192,6 +197,10 @@ bool Interpreter::pass_over_fault() {
   ++sequence_;
   ended_ = go_on(run.flow);
   return !ended_;
+}
+
+bool Interpreter::is_in_hidden_subprogram() const {
+  return levels_.size() > 1 && state_.modal.subprogram_blocks_hidden;
 }
 
 bool Interpreter::go_on(const Flow& flow) {

@@ -133,6 +133,8 @@ class Interpreter {
   std::expected<ExecutedBlock, language::Error> execute_block(std::vector<geometry::PathItem>& out);
   /// The checks before a block acts; the block with its parameters read, or nothing where it has none.
   std::expected<std::optional<language::Block>, language::Error> prepare(const Frame& level);
+  /// Is the next block one of a subprogram under M22 (MOD-060)?
+  [[nodiscard]] bool is_in_hidden_subprogram() const;
   /// Moves on to the next block to execute; true when there is none.
   bool go_on(const Flow& flow);
   /// Leaves finished subprograms or runs them again (W); true when the main program has no further block.

@@ -3,163 +3,68 @@
 
 #include <gtest/gtest.h>
 
-#include <future>
-#include <nlohmann/json.hpp>
+#include <algorithm>
 
-#include "lab/console/console.hpp"
-#include "lab/runs/run_order_json.hpp"
-#include "lab/runs/run_recorder.hpp"
-#include "lab/stored_control.hpp"
 #include "language/tape.hpp"
-#include "machine/simulated_machine.hpp"
+#include "replay_rig.hpp"
 
 namespace cnclab::lab {
 namespace {
 
-constexpr machine::Epoch kEpoch{1};
-
-/// A machine that is driven by hand, a recorder that looks at it, and the database that the recorder writes to.
-class Replay : public testing::Test {
- protected:
-  Replay() {
-    auto database = db::Database::open(":memory:").value();
-    db::Person anna;
-    anna.name = "anna";
-    anna.role = "student";
-    anna_ = *database.add_person(anna, 1);
-    const language::Tape tape = language::read_tape(kProgram, language::Reading::file);
-    for (const auto& error : tape.errors) ADD_FAILURE() << tape_error(error, language::Tongue::english);
-    for (const auto& read : tape.programs) {
-      database.replace_program(anna_, read.program.number, stored_blocks(read.program), {"anna", 1, 1});
-      order_.programs.put(read.program);
-    }
-    store_ = std::make_unique<db::Store>(std::move(database), [](const std::function<void()>&) {});
-    channel_ = std::make_shared<machine::Channel>(machine_, order_.data);
-    channel_->grant(kEpoch, machine::kNeverExpires);
-    recorder_ = std::make_unique<RunRecorder>(*store_, channel_, RunRecorder::Keeps::trace);
-  }
-
-  void ticks(int count) {
-    for (int i = 0; i < count; ++i) {
-      channel_->tick(++tick_ * 1'000'000, 0.001);
-      if (tick_ % 17 != 0) continue;  // not as regularly as the replay does
-      static_cast<void>(run_.poll());
-      recorder_->poll();
-    }
-  }
-  void start(bool is_lab_machine = false) {
-    order_.start.position.x = channel_->snapshot().istwert_mm[0];
-    order_.start.position.y = channel_->snapshot().istwert_mm[1];
-    order_.start.position.z = channel_->snapshot().istwert_mm[2];
-    const auto begun = run_.begin({channel_, kEpoch, is_lab_machine, {}}, order_);
-    ASSERT_TRUE(begun) << language::message_of(begun.error(), language::Tongue::english);
-    recorder_->begin({.person = anna_,
-                      .station = 1,
-                      .lease = 0,
-                      .program = 1,
-                      .block = 1,
-                      .unix_ms = 5,
-                      .order = run_.order(),
-                      .machine_data = order_.data});
-  }
-  RecordedRun newest_run(db::Database& database) {
-    const auto record = database.runs(anna_).at(0);
-    const auto setup = nlohmann::json::parse(record.setup);
-    const bool by_hand = setup.contains("hand");
-    return {.order = by_hand ? panel::RunOrder{} : order_of(setup.at("order"), database, anna_).value(),
-            .hand_istwert_mm =
-                by_hand ? std::optional(setup["hand"].at("istwert").get<std::array<double, 4>>()) : std::nullopt,
-            .is_lab_machine = false,
-            .machine_data = {},
-            .steps = setup.at("steps"),
-            .events = database.run_events(record.id),
-            .ticks = static_cast<std::uint64_t>(record.ticks),
-            .digest = record.digest,
-            .trace = trace_steps(database.trace(record.id))};
-  }
-  /// The record as the instructor's command reads it.
-  RecordedRun recorded() {
-    recorder_->end("test");
-    std::promise<RecordedRun> result;
-    store_->run(
-        [&](db::Database& database) {
-          try {
-            result.set_value(newest_run(database));
-          } catch (...) {
-            result.set_exception(std::current_exception());
-          }
-        },
-        [](const std::expected<void, db::StoreError>&) {});
-    return result.get_future().get();
-  }
-
-  static constexpr const char* kProgram =
-      "P0001N001G01X+20000Y+5000F2000S1000M03N002G02X+5000Y+5000I+5000J+0N003G04H0002N004G01X-3000N005G22P0002N001W01"
-      "N006G01Z+4000F500M00N007G01X+1000F800M02"
-      "P0002N001G01Y+2000F900N002G01Y-1000";
-
-  panel::RunOrder order_;
-  machine::SimulatedMachine machine_{machine::MachineData{}};
-  std::shared_ptr<machine::Channel> channel_;
-  std::unique_ptr<db::Store> store_;
-  std::unique_ptr<RunRecorder> recorder_;
-  panel::Run run_;
-  db::PersonId anna_{};
-  std::int64_t tick_ = 0;
-};
+class Replay : public testing::Test, protected ReplayRig {};
 
 TEST_F(Replay, STO_007_ARunWithStopsPotentiometerHaltsAndSingleBlocksIsPlayedAgainExactly) {
   start();
   ticks(400);
-  channel_->set_override(0.37);
+  channel->set_override(0.37);
   ticks(211);
-  run_.stop();
+  run.stop();
   ticks(900);
-  channel_->set_override(0.8);
-  run_.go_on();
+  channel->set_override(0.8);
+  run.go_on();
   ticks(150);
-  channel_->set_single_block(true);
+  channel->set_single_block(true);
   ticks(4000);
-  channel_->set_single_block(false);
+  channel->set_single_block(false);
   for (int start = 0; start < 6; ++start) {  // behind the single block, and out of M00
-    run_.go_on();
+    run.go_on();
     ticks(3001);
   }
-  const RecordedRun run = recorded();
-  EXPECT_FALSE(run_.is_present()) << "the program has ended";
-  ASSERT_GT(run.ticks, 3000U);
-  ASSERT_GT(run.events.size(), 8U);
-  const ReplayResult result = replay(run);
+  const RecordedRun record = recorded();
+  EXPECT_FALSE(run.is_present()) << "the program has ended";
+  ASSERT_GT(record.ticks, 3000U);
+  ASSERT_GT(record.events.size(), 8U);
+  const ReplayResult result = replay(record);
   EXPECT_TRUE(result.same) << result.detail;
-  EXPECT_EQ(result.ticks, run.ticks);
+  EXPECT_EQ(result.ticks, record.ticks);
   EXPECT_EQ(result.largest_deviation_mm, 0);
-  EXPECT_EQ(run.trace.size(), run.ticks);
+  EXPECT_EQ(record.trace.size(), record.ticks);
 }
 
 TEST_F(Replay, STO_007_ARunThatAHaltBrokeOffEndsInTheSamePlace) {
   start();
   ticks(523);
-  channel_->latch(true);
+  channel->latch(true);
   ticks(1000);
-  const RecordedRun run = recorded();
-  const ReplayResult result = replay(run);
+  const RecordedRun record = recorded();
+  const ReplayResult result = replay(record);
   EXPECT_TRUE(result.same) << result.detail;
 }
 
 TEST_F(Replay, STO_007_ARunThatTheTravelBrokeOffEndsInTheSamePlace) {
-  ASSERT_TRUE(channel_->command(machine::RunReference{kEpoch, {1, 1, 1}}));
+  ASSERT_TRUE(channel->command(machine::RunReference{kEpoch, {1, 1, 1}}));
   ticks(20'000);
-  ASSERT_TRUE(channel_->snapshot().is_referenced);
-  order_.programs.put(
+  ASSERT_TRUE(channel->snapshot().is_referenced);
+  order.programs.put(
       language::read_tape("P0001N001G01X-2000F2000N002G04H0001N003G01X-5000N004G01X+900000", language::Reading::file)
           .programs.at(0)
           .program);
   start(true);
   ticks(3000);
-  const RecordedRun run = recorded();
-  EXPECT_FALSE(run_.is_present()) << "the fourth block was refused";
-  ASSERT_GT(run.ticks, 300U);
-  const ReplayResult result = replay(run);
+  const RecordedRun record = recorded();
+  EXPECT_FALSE(run.is_present()) << "the fourth block was refused";
+  ASSERT_GT(record.ticks, 300U);
+  const ReplayResult result = replay(record);
   EXPECT_TRUE(result.same) << result.detail;
 }
 
@@ -167,75 +72,119 @@ TEST_F(Replay, STO_007_AMotionByHandIsPlayedAgainToItsSwitchAndFromIt) {
   for (const bool is_reference : {false, true}) {
     machine::Command command = machine::Jog{kEpoch, {1, 0, -1}};
     if (is_reference) command = machine::RunReference{kEpoch, {-1, 1, 0}};
-    channel_->set_override(0.6);
-    ASSERT_TRUE(channel_->command(machine::SetIstwert{kEpoch, {true, false, true}, {12.5, 0, -3}}));
+    channel->set_override(0.6);
+    ASSERT_TRUE(channel->command(machine::SetIstwert{kEpoch, {true, false, true}, {12.5, 0, -3}}));
     ticks(17);
-    ASSERT_TRUE(channel_->command(command));
-    for (int i = 0; i < 3; ++i) channel_->tick(++tick_ * 1'000'000, 0.001);  // the lab sees it at its next look
-    recorder_->begin({.person = anna_,
-                      .station = 1,
-                      .lease = 3,
-                      .program = 0,
-                      .block = 0,
-                      .unix_ms = 5,
-                      .order = nullptr,
-                      .machine_data = order_.data,
-                      .hand = HandStart{channel_->snapshot().start_istwert_mm, order_.data}});
+    ASSERT_TRUE(channel->command(command));
+    ticks(3);  // the lab sees it at its next look
+    begin_by_hand();
     ticks(170);
-    channel_->set_override(0.9);
+    channel->set_override(0.9);
     ticks(30'000);
-    const RecordedRun run = recorded();
-    ASSERT_GT(run.ticks, 1000U);
-    const ReplayResult result = replay(run);
+    const RecordedRun record = recorded();
+    ASSERT_GT(record.ticks, 1000U);
+    const ReplayResult result = replay(record);
     EXPECT_TRUE(result.same) << (is_reference ? "reference: " : "jog: ") << result.detail;
     EXPECT_EQ(result.largest_deviation_mm, 0);
   }
 }
 
 TEST_F(Replay, STO_007_ToolsOfTheMachinesListHaltInTheReplayToo) {
-  order_.programs.put(language::read_tape("P0000T003R+5000L+0", language::Reading::file).programs.at(0).program);
-  order_.programs.put(language::read_tape("P0001N001G01X+2000F2000N002G11T03N003G01X-5000", language::Reading::file)
-                          .programs.at(0)
-                          .program);
-  order_.tools.emplace();
-  order_.tools->put(3, {5, 0});
+  order.programs.put(language::read_tape("P0000T003R+5000L+0", language::Reading::file).programs.at(0).program);
+  order.programs.put(language::read_tape("P0001N001G01X+2000F2000N002G11T03N003G01X-5000", language::Reading::file)
+                         .programs.at(0)
+                         .program);
+  order.tools.emplace();
+  order.tools->put(3, {5, 0});
   start();
   ticks(1000);
-  EXPECT_EQ(run_.tool_due(), 3);
-  run_.go_on();
+  EXPECT_EQ(run.tool_due(), 3);
+  run.go_on();
   ticks(2000);
-  const RecordedRun run = recorded();
-  ASSERT_TRUE(run.order.tools);
-  EXPECT_EQ(run.order.tools->tools(), order_.tools->tools());
-  const ReplayResult result = replay(run);
+  const RecordedRun record = recorded();
+  ASSERT_TRUE(record.order.tools);
+  EXPECT_EQ(record.order.tools->tools(), order.tools->tools());
+  const ReplayResult result = replay(record);
+  EXPECT_TRUE(result.same) << result.detail;
+}
+
+/// Every block of a program under EINZELSATZ, as the keys would do it.
+class SingleBlocks : public testing::Test, protected ReplayRig {
+ protected:
+  SingleBlocks() : ReplayRig("P0030N001G91N002G11F3000N003G01X5000N004G11M16N005G01Y5000") {
+    channel->set_single_block(true);
+  }
+};
+
+TEST_F(SingleBlocks, STO_007_BlocksWithoutAWayRestInTheTickThatBeganThem) {
+  order.start.program = 30;
+  start();
+  for (int block = 1; block <= 5; ++block) {
+    ticks(1200);
+    if (block == 3) machine.set_input(0, 0, true);  // while the axes rest, so M16 finds it at once
+    ticks(60);
+    if (block < 5) run.go_on();
+  }
+  const RecordedRun record = recorded();
+  EXPECT_FALSE(run.is_present()) << "the program has ended";
+  EXPECT_EQ(std::ranges::count(record.events, "go", &db::RunEvent::kind), 5);
+  const ReplayResult result = replay(record);
+  EXPECT_TRUE(result.same) << result.detail;
+  EXPECT_EQ(result.largest_deviation_mm, 0);
+}
+
+TEST_F(Replay, STO_007_ARunThatNeverBeganIsPlayedAgainToNothing) {
+  start();
+  run.stop();  // in the same moment: the tick sees the STOP first, and the START before it counts no more
+  ticks(100);
+  const RecordedRun record = recorded();
+  EXPECT_EQ(record.ticks, 0U);
+  const ReplayResult result = replay(record);
+  EXPECT_TRUE(result.same) << result.detail;
+  EXPECT_EQ(result.ticks, 0U);
+}
+
+TEST_F(Replay, STO_007_AMotionByHandIsKeptHoweverShortItWas) {
+  ASSERT_TRUE(channel->command(machine::Jog{kEpoch, {1, 0, 0}}));
+  ticks(3);
+  channel->stop(machine::StopCause::operator_stop);
+  ticks(60);  // at rest before anybody has looked
+  begin_by_hand();
+  ASSERT_TRUE(channel->command(machine::Jog{kEpoch, {0, 1, 0}}));
+  ticks(100);
+  EXPECT_TRUE(recorder->has_hand_start()) << "each START is a record of its own";
+  const RecordedRun record = recorded();
+  EXPECT_GT(record.ticks, 3U);
+  EXPECT_LT(record.ticks, 50U);
+  const ReplayResult result = replay(record);
   EXPECT_TRUE(result.same) << result.detail;
 }
 
 TEST_F(Replay, STO_007_AnythingThatDecidesTheCourseMakesAnotherTrajectory) {
   start();
   ticks(400);
-  channel_->set_override(0.5);
+  channel->set_override(0.5);
   ticks(300);
-  run_.stop();
+  run.stop();
   ticks(600);
-  const RecordedRun run = recorded();
-  ASSERT_TRUE(replay(run).same);
+  const RecordedRun record = recorded();
+  ASSERT_TRUE(replay(record).same);
   const auto differs = [](const RecordedRun& changed) {
     const ReplayResult result = replay(changed);
     return !result.same && !result.detail.empty();
   };
-  RecordedRun later_stop = run;
+  RecordedRun later_stop = record;
   for (auto& event : later_stop.events)
     if (event.kind == "stop") event.tick += 1;
   EXPECT_TRUE(differs(later_stop));
-  RecordedRun other_override = run;
+  RecordedRun other_override = record;
   for (auto& event : other_override.events)
     if (event.kind == "override" && event.tick > 0) event.value = 0.51;
   EXPECT_TRUE(differs(other_override));
-  RecordedRun other_data = run;
+  RecordedRun other_data = record;
   ASSERT_TRUE(other_data.order.data.set(6, 1500));
   EXPECT_TRUE(differs(other_data));
-  RecordedRun other_program = run;
+  RecordedRun other_program = record;
   other_program.order.programs.put(
       language::read_tape("P0001N001G01X+20000Y+5001F2000M02", language::Reading::file).programs.at(0).program);
   EXPECT_TRUE(differs(other_program));

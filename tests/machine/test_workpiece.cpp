@@ -203,6 +203,20 @@ TEST(Milling, RapidInMaterialIsReportedWithItsBlock) {
   EXPECT_EQ(events[0].source, (geometry::SourceBlock{1, 4})) << "the way up and the way back touch nothing";
 }
 
+TEST(Milling, ARapidWithoutAToolIsReportedWhereverItGoes) {
+  for (const geometry::Point end :
+       {geometry::Point{0, 0, -2, 0}, {20, 0, -2, 0}, {0, 20, -2, 0}, {0.07, 0.19, -2, 0}}) {
+    MillingRig rig;
+    Items items;
+    items.add(geometry::Spindle{geometry::SpindleTurn::clockwise, 1000});
+    items.add(geometry::Line{{0, 0, 0, 0}, end, 3000, true}).add(geometry::End{});
+    rig.run(items);
+    const auto events = rig.site.events();
+    ASSERT_EQ(events.size(), 1U) << "T00 to " << end.x << ' ' << end.y;
+    EXPECT_EQ(events[0].kind, MillingEvent::Kind::rapid_in_material);
+  }
+}
+
 TEST(Milling, SpindleOffInMaterialIsReportedOncePerBlock) {
   MillingRig rig;
   Items items = with_tool(5);

@@ -163,7 +163,7 @@ TEST(FlowDisplay, M21AndM22HideBlocks_MOD059_MOD060) {
   std::string passed;
   for (const geometry::PathItem& item : run.items)
     if (item.ends_block) passed += item.passes_single_block ? 'p' : 's';
-  EXPECT_EQ(passed, "sspps") << "KEY-046: EINZELSATZ stops in the main program only";
+  EXPECT_EQ(passed, "sppss") << "KEY-046: EINZELSATZ stops before blocks of the main program only";
 }
 
 TEST(FlowUpcoming, FollowsStoredOrderAndG20Only_DEC63) {

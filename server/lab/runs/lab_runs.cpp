@@ -50,32 +50,47 @@ std::string_view name_of(machine::MillingEvent::Kind kind) {
 
 }  // namespace
 
+/// By hand the lab's machine is of interest, on the training machine what TEACH IN makes blocks of (STO-007).
+bool Lab::is_hand_recorded(const Desk& desk) const {
+  return desk.on_lab_machine || desk.control.mode() == panel::Mode::teach_in;
+}
+
 void Lab::record_run(const DeskPtr& desk) {
   RunRecorder& recorder = desk->on_lab_machine ? machine_.recorder() : *desk->recorder;
   const machine::Channel& channel = desk->on_lab_machine ? *machine_.channel() : *desk->training();
   const auto order = desk->control.run_order();
-  const machine::Snapshot snapshot = channel.snapshot();
+  recorder.poll();
+  const machine::Snapshot snapshot = channel.snapshot();  // no older than what was polled
   // A run that the control has given up may still be braking: its last ticks belong to it.
   const bool has_left = recorder.is_recording() && recorder.order() != order.get();
   const bool is_over = has_left && (order != nullptr || !snapshot.started);
-  const bool hand_is_over = recorder.is_recording() && recorder.order() == nullptr && !snapshot.started;
+  const bool hand_is_over = recorder.is_by_hand() && (!snapshot.started || recorder.has_hand_start());
   if (is_over || hand_is_over) end_recording(desk, recorder, snapshot.cause);
-  // By hand only the lab's machine is of interest.
-  const bool by_hand = desk->on_lab_machine && snapshot.started;
-  if (!recorder.is_recording() && (order || by_hand)) {
-    std::optional<HandStart> hand;
-    if (!order)
-      hand = HandStart{snapshot.start_istwert_mm, machine::on_lab_machine(desk->control.data(), machine_.data())};
-    const auto situation = desk->control.situation();
-    const int program = order ? order->start.program : situation.program;
-    const int block = order ? order->start.block : situation.block;
-    recorder.begin({desk->person.id, desk->station,
-                    static_cast<std::uint64_t>(desk->on_lab_machine ? authority_.newest() : Epoch{}), program, block,
-                    clock_.unix_ms(), order, desk->on_lab_machine ? machine_.data() : order->data, hand});
-    journal_.write("run", fmt::format("P{:04} N{:03} {}", program, block, desk->on_lab_machine ? "lab" : "training"),
-                   desk->station, desk->person.name, desk->on_lab_machine ? authority_.newest() : Epoch{});
-  }
+  const bool by_hand = !order && recorder.has_hand_start() && is_hand_recorded(*desk);
+  if (!recorder.is_recording() && (order || by_hand)) begin_recording(desk, recorder, order, snapshot);
+  if (!recorder.is_recording()) recorder.pass_over();
   recorder.poll();
+}
+
+void Lab::begin_recording(const DeskPtr& desk, RunRecorder& recorder,
+                          const std::shared_ptr<const panel::RunOrder>& order, const machine::Snapshot& snapshot) {
+  std::optional<HandStart> hand;
+  const machine::MachineData& data = desk->control.data();
+  if (!order)
+    hand = HandStart{snapshot.start_istwert_mm,
+                     desk->on_lab_machine ? machine::on_lab_machine(data, machine_.data()) : data};
+  const auto situation = desk->control.situation();
+  const int program = order ? order->start.program : situation.program;
+  const int block = order ? order->start.block : situation.block;
+  const Epoch lease = desk->on_lab_machine ? authority_.newest() : Epoch{};
+  recorder.begin({desk->person.id, desk->station, static_cast<std::uint64_t>(lease), program, block, clock_.unix_ms(),
+                  order,
+                  desk->on_lab_machine ? machine_.data()
+                  : order              ? order->data
+                                       : data,
+                  hand});
+  journal_.write("run", fmt::format("P{:04} N{:03} {}", program, block, desk->on_lab_machine ? "lab" : "training"),
+                 desk->station, desk->person.name, lease);
 }
 
 void Lab::end_recording(const DeskPtr& desk, RunRecorder& recorder, machine::StopCause cause) {

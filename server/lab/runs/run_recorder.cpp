@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <iterator>
@@ -108,6 +109,12 @@ std::array<std::int8_t, 3> hand_directions(double value) {
           static_cast<std::int8_t>(code / 9 % 3 - 1)};
 }
 
+namespace {
+
+bool begins_by_hand(const machine::TracePoint& point) { return point.levels.by_hand != std::array<std::int8_t, 3>{}; }
+
+}  // namespace
+
 struct RunRecorder::Run {
   std::optional<std::int64_t> id;  ///< known once the store has answered
   std::uint64_t ticks = 0;
@@ -135,11 +142,15 @@ void RunRecorder::begin(const RunStart& start) {
   record.program = start.program;
   record.block = start.block;
   const machine::Snapshot now = channel_->snapshot();
+  is_by_hand_ = start.hand.has_value();
+  const bool has_started = now.started || is_by_hand_;
   nlohmann::json setup{{"software", kSoftware},
-                       {"steps", now.started ? now.start_steps : now.steps},
+                       {"steps", has_started ? now.start_steps : now.steps},
                        {"machine_data", data_json(start.machine_data)}};
   if (start.hand) setup["hand"] = {{"istwert", start.hand->istwert_mm}, {"data", data_json(start.hand->data)}};
-  is_by_hand_ = start.hand.has_value();
+  const auto first = std::ranges::find_if(
+      arrived_, [this](const auto& point) { return is_by_hand_ ? begins_by_hand(point) : point.levels.go; });
+  arrived_.erase(arrived_.begin(), first);
   // The store is a queue, so the id is known to every later job of this run, on the store's own thread; and the
   // versions found there are those at START.
   store_.run(
@@ -152,16 +163,26 @@ void RunRecorder::begin(const RunStart& start) {
       [](const std::expected<void, db::StoreError>&) {});
 }
 
+bool RunRecorder::has_hand_start() const { return std::ranges::any_of(arrived_, begins_by_hand); }
+
+void RunRecorder::pass_over() { arrived_.clear(); }
+
+/// By hand each START is a record of its own.
+bool RunRecorder::is_of_next_run(const machine::TracePoint& point) const {
+  return run_->ticks > 0 && (begins_by_hand(point) || (is_by_hand_ && point.levels.go));
+}
+
 void RunRecorder::poll() {
+  const std::uint64_t lost = channel_->drain_trace(arrived_);
+  if (!run_) return;
   points_.reserve(2 * kBatch);
-  const std::size_t before = points_.size();
-  const std::uint64_t lost = channel_->drain_trace(points_);
-  if (!run_) {
-    points_.clear();
-    return;
-  }
   run_->lost += lost;
-  for (std::size_t i = before; i < points_.size(); ++i) take(points_[i]);
+  auto next = arrived_.begin();
+  for (; next != arrived_.end() && !is_of_next_run(*next); ++next) {
+    take(*next);
+    points_.push_back(*next);
+  }
+  arrived_.erase(arrived_.begin(), next);
   if (keeps_ == Keeps::digest || run_->ticks > kMostTicks) points_.clear();
   if (points_.size() >= kBatch) flush();
   if (run_->events.size() >= kBatch) flush_events();
@@ -174,11 +195,11 @@ void RunRecorder::take(const machine::TracePoint& point) {
   // Levels before what they act on: a replay sets them in this order, then lets the tick pass.
   if (is_first || now.override_ratio != was.override_ratio) note("override", static_cast<double>(now.override_ratio));
   if (is_first || now.single_block != was.single_block) note("single_block", now.single_block ? 1 : 0);
-  if (is_first || now.inputs != was.inputs) note("inputs", now.inputs);
+  if (is_first || now.inputs_found != was.inputs) note("inputs", now.inputs_found);
   if (now.stops != 0) note("stop", now.stops);
   if (now.go) note("go", 1);
-  const bool is_begun_by_hand = now.by_hand != std::array<std::int8_t, 3>{};
-  if (is_begun_by_hand) note(now.is_reference ? "reference" : "jog", hand_value(now.by_hand));
+  if (begins_by_hand(point)) note(now.is_reference ? "reference" : "jog", hand_value(now.by_hand));
+  if (now.inputs != now.inputs_found) note("inputs", now.inputs);
   run_->levels = now;
   run_->digest.add(point.steps);
   ++run_->ticks;
@@ -215,7 +236,10 @@ void RunRecorder::end(const std::string& ended) {
   flush_events();
   db::RunRecord record;
   record.seconds = static_cast<double>(run_->ticks) / 1000.0;
-  record.ended = run_->lost == 0 ? ended : fmt::format("{} ({} ticks not traced)", ended, run_->lost);
+  if (run_->ticks == 0)
+    record.ended = kNotStarted;
+  else
+    record.ended = run_->lost == 0 ? ended : fmt::format("{} ({} ticks not traced)", ended, run_->lost);
   record.ticks = static_cast<std::int64_t>(run_->ticks);
   const bool is_whole = (order_ != nullptr || is_by_hand_) && run_->lost == 0 && run_->noted <= kMostEvents;
   if (is_whole) record.digest = run_->digest.text();

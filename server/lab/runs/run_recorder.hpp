@@ -57,17 +57,26 @@ class RunRecorder {
   RunRecorder(db::Store& store, std::shared_ptr<machine::Channel> channel, Keeps keeps);
 
   [[nodiscard]] bool is_recording() const { return run_ != nullptr; }
+  [[nodiscard]] bool is_by_hand() const { return is_recording() && is_by_hand_; }
   /// Of the run being recorded.
   [[nodiscard]] const panel::RunOrder* order() const { return order_.get(); }
+  /// Begins with the first tick of that kind that has come since the last `poll`, by hand or of a program.
   void begin(const RunStart& start);
   /// Takes what was traced since the last call; every 10 to 20 ms.
   void poll();
-  /// ended   "program_end", "lease_ended", …
+  /// What the last `poll` has found has a motion by hand in it that belongs to no record, however short it was.
+  [[nodiscard]] bool has_hand_start() const;
+  /// Nobody wants what came since the last `poll`.
+  void pass_over();
+  /// ended   "program_end", "lease_ended", …; of a run in which no tick passed `kNotStarted` is kept instead
   void end(const std::string& ended);
+  /// Something was in the way of its START.
+  static constexpr const char* kNotStarted = "not_started";
 
  private:
   struct Run;
   void take(const machine::TracePoint& point);
+  [[nodiscard]] bool is_of_next_run(const machine::TracePoint& point) const;
   void note(const char* kind, double value);
   void flush();
   void flush_events();
@@ -78,7 +87,8 @@ class RunRecorder {
   std::shared_ptr<const panel::RunOrder> order_;
   bool is_by_hand_ = false;
   std::shared_ptr<Run> run_;
-  std::vector<machine::TracePoint> points_;
+  std::vector<machine::TracePoint> arrived_;  ///< of no record so far
+  std::vector<machine::TracePoint> points_;   ///< of this one, to be stored
 };
 
 /// One record of run_trace, little endian (db/README.md).

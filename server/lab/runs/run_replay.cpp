@@ -6,6 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
+#include <string>
+#include <utility>
 
 #include "lab/runs/run_recorder.hpp"
 #include "machine/simulated_machine.hpp"
@@ -32,20 +35,10 @@ class Player {
   }
 
   ReplayResult play() {
-    if (recorded_.hand_istwert_mm) {
-      prepare_hand(*recorded_.hand_istwert_mm);
-    } else {
-      act(false);
-      tick();  // inputs and levels are there before START
-      points_.clear();
-      const auto begun =
-          run_.begin({channel_, kEpoch, recorded_.is_lab_machine, recorded_.machine_data}, recorded_.order);
-      if (!begun) return {false, 0, 0, "START: " + language::explain(begun.error(), language::Tongue::english)};
-      tick();
-    }
+    if (recorded_.hand_istwert_mm) name_place(*recorded_.hand_istwert_mm);
     for (std::uint64_t idle = 0; points_.size() < recorded_.ticks && idle < kMostIdle;) {
       const std::size_t before = points_.size();
-      act(true);
+      if (auto fault = act()) return {false, points_.size(), 0, "START: " + std::move(*fault)};
       tick();
       idle = points_.size() == before ? idle + 1 : 0;
     }
@@ -53,31 +46,45 @@ class Player {
   }
 
  private:
-  /// The switches are read and the place has its name before the first direction comes.
-  void prepare_hand(const std::array<double, 4>& istwert_mm) {
+  /// The place has its name before the first direction comes.
+  void name_place(const std::array<double, 4>& istwert_mm) {
     const std::array<double, 3> mm{istwert_mm[0], istwert_mm[1], istwert_mm[2]};
     // U has no ISTWERT and stands still by hand: its place is added.
     u_steps_ = static_cast<std::int32_t>(
         std::lround(istwert_mm[3] * machine::motion_limits(recorded_.order.data).steps_per_mm[3]));
     static_cast<void>(channel_->command(machine::SetIstwert{kEpoch, {true, true, true}, mm}));
-    tick();
-    points_.clear();
   }
 
-  /// The events of the next tick. START itself is the run's beginning.
-  void act(bool with_orders) {
+  /// The events of the next tick, in their order. What the first START finds wrong, in English.
+  std::optional<std::string> act() {
     for (; next_ < recorded_.events.size(); ++next_) {
       const db::RunEvent& event = recorded_.events[next_];
-      if (static_cast<std::uint64_t>(event.tick) > points_.size()) return;
+      if (static_cast<std::uint64_t>(event.tick) > points_.size()) return std::nullopt;
       if (event.kind == "override") channel_->set_override(event.value);
       if (event.kind == "single_block") channel_->set_single_block(event.value != 0);
       if (event.kind == "inputs") set_inputs(static_cast<std::uint32_t>(event.value));
       if (event.kind == "stop") stop(static_cast<std::uint32_t>(event.value));
-      if (event.kind == "go" && with_orders) run_.go_on();
-      if (event.kind == "jog") static_cast<void>(channel_->command(machine::Jog{kEpoch, hand_directions(event.value)}));
-      if (event.kind == "reference")
-        static_cast<void>(channel_->command(machine::RunReference{kEpoch, hand_directions(event.value)}));
+      const bool is_start = event.kind == "go" || event.kind == "jog" || event.kind == "reference";
+      if (!is_start) continue;
+      // A START at rest finds the inputs and switches as they have been: they come back from the machine a tick later.
+      if (!channel_->snapshot().started) tick();
+      if (auto fault = start(event)) return fault;
     }
+    return std::nullopt;
+  }
+
+  std::optional<std::string> start(const db::RunEvent& event) {
+    if (event.kind == "jog")
+      static_cast<void>(channel_->command(machine::Jog{kEpoch, hand_directions(event.value)}));
+    else if (event.kind == "reference")
+      static_cast<void>(channel_->command(machine::RunReference{kEpoch, hand_directions(event.value)}));
+    else if (run_.is_present())
+      run_.go_on();
+    else if (const auto begun =
+                 run_.begin({channel_, kEpoch, recorded_.is_lab_machine, recorded_.machine_data}, recorded_.order);
+             !begun)
+      return language::explain(begun.error(), language::Tongue::english);
+    return std::nullopt;
   }
 
   void set_inputs(std::uint32_t inputs) {

@@ -199,6 +199,7 @@ void press(AutomatMode& mode, ControlState& state, Effect effect, int figure) {
 void follow(AutomatMode& mode, ControlState& state) {
   const Run::State before = state.run.state();
   const std::optional<RunEnd> end = state.run.poll();
+  if (state.run.is_backing_off()) tell_back_off(state);
   if (state.run.state() != before) state.hint.clear();  // it spoke of what is over now
   if (!end) return;
   state.take_over(*end);

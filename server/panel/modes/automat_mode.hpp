@@ -42,6 +42,8 @@ void press(AutomatMode& mode, ControlState& state, Effect effect, int figure);
 /// Takes notice of what the machine did: ends, stops, errors.
 void follow(AutomatMode& mode, ControlState& state);
 void draw(const AutomatMode& mode, const ControlState& state, Monitor& monitor);
+/// The first block on the screen whose check code did not fit when it was read, before the run (ERR-004).
+[[nodiscard]] std::optional<geometry::SourceBlock> damaged_block(const AutomatMode& mode, const ControlState& state);
 [[nodiscard]] std::string sentence_of(const AutomatMode& mode, const ControlState& state);
 
 /// Confirms program and block and starts there, as keys would (EXT-060). False where no run has begun: the screen says

@@ -1,4 +1,5 @@
 // Bild 5: what AUTOMAT shows, with the START and STOP fields of Bild 3 (D-27).
+#include <algorithm>
 #include <string>
 
 #include "language/screen_form.hpp"
@@ -48,6 +49,14 @@ void draw_window(const AutomatMode& mode, const ControlState& state, const progr
 }
 
 }  // namespace
+
+std::optional<geometry::SourceBlock> damaged_block(const AutomatMode& mode, const ControlState& state) {
+  if (mode.phase != AutomatMode::Phase::ready || state.run.is_present()) return std::nullopt;
+  const auto window = window_from(mode.programs, current_block(mode, state), kWindowLines, state.plane());
+  const auto damaged = std::ranges::find_if(window, [](const WindowLine& line) { return line.block->is_damaged; });
+  if (damaged == window.end()) return std::nullopt;
+  return damaged->place;
+}
 
 void draw(const AutomatMode& mode, const ControlState& state, Monitor& monitor) {
   draw_start_and_stop(is_start_state(place_of(mode, state)), kHighStartRow, monitor);

@@ -35,6 +35,8 @@ struct EditorMode {
 /// figure   0..9 where effect is `digit`
 void press(EditorMode& mode, ControlState& state, Effect effect, int figure);
 void draw(const EditorMode& mode, const ControlState& state, Monitor& monitor);
+/// The first block on the screen whose check code did not fit when it was read (ERR-004).
+[[nodiscard]] std::optional<geometry::SourceBlock> damaged_block(const EditorMode& mode, const ControlState& state);
 [[nodiscard]] std::string sentence_of(const EditorMode& mode, const ControlState& state);
 /// The request is on disk and in the memory: the next number is offered (EDIT-013).
 void stored(EditorMode& mode, ControlState& state, const StoreRequest& request);

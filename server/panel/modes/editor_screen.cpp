@@ -55,6 +55,15 @@ language::Plane plane_before(const language::Program* program, int block, langua
   return plane;
 }
 
+std::optional<geometry::SourceBlock> damaged_block(const EditorMode& mode, const ControlState& state) {
+  const language::Program* program = mode.is_open ? program_in(state, mode.number()) : nullptr;
+  if (program == nullptr || !mode.list_from) return std::nullopt;
+  auto block = std::ranges::lower_bound(program->blocks, *mode.list_from, {}, &language::Block::number);
+  for (int line = 0; block != program->blocks.end() && line < kListedBlocks; ++block, ++line)
+    if (block->is_damaged) return geometry::SourceBlock{program->number, block->number};
+  return std::nullopt;
+}
+
 void draw(const EditorMode& mode, const ControlState& state, Monitor& monitor) {
   const std::string_view label = text(Text::program_number, state.tongue());
   const int column = columns_of(label);

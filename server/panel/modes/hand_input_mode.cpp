@@ -91,6 +91,7 @@ void press(HandInputMode& mode, ControlState& state, Effect effect, int figure) 
 void follow(HandInputMode& mode, ControlState& state) {
   const Run::State before = state.run.state();
   const std::optional<RunEnd> end = state.run.poll();
+  if (state.run.is_backing_off()) tell_back_off(state);
   if (state.run.state() != before) state.hint.clear();
   if (!end) return;
   state.take_over(*end);

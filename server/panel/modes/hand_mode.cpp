@@ -21,6 +21,7 @@ void set_istwert(const HandMode& mode, ControlState& state) {
   machine::SetIstwert command{state.connection.epoch, {}, {}};
   command.axes[*mode.axis] = true;
   command.value_mm[*mode.axis] = word ? word->number / kUmPerMm : 0;
+  state.is_switching = true;
   (void)state.connection.channel->command(command);
 }
 

@@ -98,6 +98,13 @@ void draw(const ActiveMode& mode, const ControlState& state, Monitor& monitor) {
   std::visit([&](const auto& active) { draw(active, state, monitor); }, mode);
 }
 
+std::optional<geometry::SourceBlock> damaged_block(const ActiveMode& mode, const ControlState& state) {
+  return std::visit(Overloaded{[&](const EditorMode& editor) { return damaged_block(editor, state); },
+                               [&](const AutomatMode& automat) { return damaged_block(automat, state); },
+                               [](const auto&) { return std::optional<geometry::SourceBlock>{}; }},
+                    mode);
+}
+
 std::string sentence_of(const ActiveMode& mode, const ControlState& state) {
   return std::visit(Overloaded{[&](const MenuMode&) { return std::string(text(Text::wait_menu, state.tongue())); },
                                [&](const auto& active) { return sentence_of(active, state); }},

@@ -1,6 +1,7 @@
 // The operating modes as one value: which is active, and what each adds to screens and keys.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <variant>
 
@@ -34,6 +35,8 @@ void follow(ActiveMode& mode, ControlState& state);
 /// The request is on disk and in the memory.
 void stored(ActiveMode& mode, ControlState& state, const StoreRequest& request);
 void draw(const ActiveMode& mode, const ControlState& state, Monitor& monitor);
+/// The first block on the screen whose check code did not fit when it was read (ERR-004).
+[[nodiscard]] std::optional<geometry::SourceBlock> damaged_block(const ActiveMode& mode, const ControlState& state);
 [[nodiscard]] std::string sentence_of(const ActiveMode& mode, const ControlState& state);
 
 }  // namespace cnclab::panel

@@ -34,6 +34,7 @@ void toggle_spindle(ControlState& state) {
   if (!state.connection.channel) return;
   const bool is_on = state.machine().spindle != SpindleTurn::off;
   state.modal.spindle = is_on ? SpindleTurn::off : state.last_turn;
+  state.is_switching = true;
   const geometry::Spindle spindle{state.modal.spindle, static_cast<double>(is_on ? 0 : state.modal.spindle_rpm)};
   (void)state.connection.channel->command(machine::SwitchSpindle{state.connection.epoch, spindle});
 }
@@ -41,6 +42,7 @@ void toggle_spindle(ControlState& state) {
 void toggle_coolant(ControlState& state) {
   if (!state.connection.channel) return;
   state.modal.coolant = !state.machine().coolant;
+  state.is_switching = true;
   (void)state.connection.channel->command(machine::SwitchCoolant{state.connection.epoch, state.modal.coolant});
 }
 

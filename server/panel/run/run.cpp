@@ -241,6 +241,7 @@ Run::State Run::state() const {
   if (!is_present()) return State::none;
   if (is_checking()) return State::running;
   if (seen_.run != run_ || seen_.tick < answer_tick_) return State::running;
+  if (is_backing_off()) return State::braking;
   if (!seen_.started) return seen_.cause == StopCause::single_block ? State::between : State::stopped;
   switch (seen_.state) {
     case machine::MotionState::halted:
@@ -253,6 +254,11 @@ Run::State Run::state() const {
       return State::running;
   }
   return State::running;
+}
+
+bool Run::is_backing_off() const {
+  return is_present() && !is_checking() && seen_.run == run_ && !seen_.started &&
+         seen_.state == machine::MotionState::stopping;
 }
 
 void Run::go_on() {
@@ -312,6 +318,7 @@ std::optional<RunEnd> Run::poll() {
   if (seen_.tick < answer_tick_) return std::nullopt;
   const bool is_refused = seen_.refused + seen_.dropped > refused_before_;
   if (seen_.run != run_) return is_refused ? std::optional(finish(RunEnd::Kind::refused)) : std::nullopt;
+  if (is_backing_off()) return std::nullopt;
   if (!seen_.run_active)
     return finish(seen_.cause == StopCause::program_end ? RunEnd::Kind::program_end : RunEnd::Kind::broken);
   if (!seen_.started || !failure_ || !is_path_done()) return std::nullopt;
@@ -326,19 +333,21 @@ void Run::look() {
   seen_.sequence = seen_.finished_sequence = 0;
 }
 
+const Run::Record* Run::next_record() const {
+  return state() == State::between ? record(seen_.finished_sequence + 1) : nullptr;
+}
+
 geometry::SourceBlock Run::shown_block() const {
-  const bool next_is_due = state() == State::between;
-  if (next_is_due) {
-    if (const Record* next = record(seen_.finished_sequence + 1)) return next->block.source;
-    if (failure_) return {failure_->program, failure_->block};
-  }
+  if (const Record* next = next_record()) return next->block.source;
+  if (state() == State::between && failure_) return {failure_->program, failure_->block};
   const Record* current = record(seen_.sequence);
   if (current == nullptr && !records_.empty()) current = &records_.front();
   return current == nullptr ? geometry::SourceBlock{} : current->block.source;
 }
 
 bool Run::shows_blocks() const {
-  const Record* current = record(seen_.sequence);
+  const Record* next = next_record();
+  const Record* current = next != nullptr ? next : record(seen_.sequence);
   return current == nullptr || current->block.is_shown;
 }
 

@@ -65,7 +65,7 @@ class Run {
     none,
     running,
     waiting,  ///< programmed halt, or waiting for an input: START goes on (KEY-013)
-    braking,
+    braking,  ///< also while an axis is driven off its switch (ERR-020): the run is over when it stands
     stopped,  ///< after STOP: START drives the rest
     between,  ///< EINZELSATZ: the next block waits for START
   };
@@ -89,14 +89,19 @@ class Run {
 
   [[nodiscard]] State state() const;
   [[nodiscard]] bool is_present() const { return source_.has_value(); }
+  /// An axis ran onto its switch and is being driven free: nothing else moves until it stands.
+  [[nodiscard]] bool is_backing_off() const;
+  /// START was given and the machine has not answered: what the screen would show is not known before.
+  [[nodiscard]] bool awaits_answer() const { return is_present() && !is_checking() && seen_.tick < answer_tick_; }
   /// The block on top of the window: the one being done, or the next where it waits for START.
   [[nodiscard]] geometry::SourceBlock shown_block() const;
   [[nodiscard]] bool shows_blocks() const;          ///< false under M21, and in subprograms under M22
   [[nodiscard]] bool ignores_single_block() const;  ///< in subprograms under M22 (KEY-046)
   [[nodiscard]] program::ModalState modal() const;
   [[nodiscard]] const program::ProgramSet& programs() const { return order_->programs; }
-  /// What it was begun with; nullptr where none is present. Another run has another one.
-  [[nodiscard]] const std::shared_ptr<const RunOrder>& order() const { return order_; }
+  /// What it was begun with; nullptr where none is present, or nothing has been started because its contours are still
+  /// being checked. Another run has another one.
+  [[nodiscard]] std::shared_ptr<const RunOrder> order() const { return is_checking() ? nullptr : order_; }
   [[nodiscard]] bool sounds_alarm() const;  ///< M01 waits for START
   /// The tool that is to be put in before START goes on (DEC-29); 0: none.
   [[nodiscard]] int tool_due() const;
@@ -124,6 +129,8 @@ class Run {
   void forget_done_blocks();
   [[nodiscard]] bool is_far_enough_ahead() const;
   [[nodiscard]] const Record* record(std::uint64_t sequence) const;
+  /// Where EINZELSATZ rests between two blocks: the one that waits for START; nullptr where that cannot be executed.
+  [[nodiscard]] const Record* next_record() const;
   [[nodiscard]] const program::Parameters& parameters() const;
   [[nodiscard]] bool is_path_done() const;
   RunEnd finish(RunEnd::Kind kind);

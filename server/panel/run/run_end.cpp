@@ -11,11 +11,11 @@ namespace {
 
 constexpr std::string_view kAxes = "XYZU";
 
-void tell_limit_switch(ControlState& state) {
+void tell_limit_switch(ControlState& state, Text sentence = Text::said_limit_switch) {
   const std::uint8_t axis = state.machine().limit_axis;
   const std::size_t index = axis < kAxes.size() ? axis : 0;
   state.message = Message{std::string(text(Text::limit_switch, state.tongue())), limit_column(index),
-                          text(Text::said_limit_switch, state.tongue(), {kAxes.substr(index, 1)})};
+                          text(sentence, state.tongue(), {kAxes.substr(index, 1)})};
 }
 
 }  // namespace
@@ -51,6 +51,8 @@ void tell_break(ControlState& state, machine::StopCause cause) {
       return;
   }
 }
+
+void tell_back_off(ControlState& state) { tell_limit_switch(state, Text::said_backing_off); }
 
 void tell_milling(ControlState& state, const machine::MillingEvent& event) {
   if (!state.message.monitor.empty()) return;

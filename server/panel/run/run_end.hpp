@@ -21,6 +21,9 @@ namespace cnclab::panel {
 /// too, whatever had begun to stop it before.
 void tell_break(ControlState& state, machine::StopCause cause);
 
+/// ERR-020 while it lasts: `Endschalter` stands at once, and row 18 says that the axis is being driven free.
+void tell_back_off(ControlState& state);
+
 /// Row 18 for what the tool did to the workpiece in a block, or by hand. What the monitor complains of stays.
 void tell_milling(ControlState& state, const machine::MillingEvent& event);
 

@@ -15,7 +15,7 @@ std::vector<WindowLine> window_from(const program::ProgramSet& programs, geometr
   program::Place place{program, *start};
   while (window.size() < lines && place.index < place.program->blocks.size()) {
     const language::Block& block = place.program->blocks[place.index];
-    window.push_back({&block, language::plane_of_words(block, plane)});
+    window.push_back({&block, language::plane_of_words(block, plane), {place.program->number, block.number}});
     const auto target = program::unconditional_target(programs, *place.program, block);
     place = target ? *target : program::Place{place.program, place.index + 1};
   }

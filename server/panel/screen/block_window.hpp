@@ -14,6 +14,7 @@ namespace cnclab::panel {
 struct WindowLine {
   const language::Block* block = nullptr;  ///< lives as long as the set
   language::Plane plane{};                 ///< whose words it shows (D-54)
+  geometry::SourceBlock place;
 };
 
 /// Blocks from `first` on in stored order, following only jumps without condition; fewer at the end of the program.

@@ -199,6 +199,7 @@ enum class Text : std::uint16_t {
   wait_tool,
   // Row 18: what was wrong, what to do
   said_limit_switch,
+  said_backing_off,
   said_power_off,
   said_machine_halt,
   said_lease,
