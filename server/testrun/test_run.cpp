@@ -133,6 +133,7 @@ void TestRun::take_way(const geometry::PathItem& item) {
   check_travel(item, way.front());
   if (has_ended_) return;
   cut(item, way.front());
+  ways_ += way.front().spots.size() - 1;
   keep(item, path_, spots_);
   const auto* line = std::get_if<geometry::Line>(&item.what);
   position_ = line != nullptr ? line->to : std::get<geometry::Arc>(item.what).to;

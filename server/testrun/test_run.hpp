@@ -66,6 +66,8 @@ class TestRun {
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
   [[nodiscard]] std::size_t findings_left_off() const { return findings_left_off_; }
   [[nodiscard]] std::uint64_t blocks() const { return blocks_; }
+  /// Straight ways so far, arcs counted by their chords: what the time of a test run grows with.
+  [[nodiscard]] std::uint64_t ways() const { return ways_; }
   /// The one that was started.
   [[nodiscard]] std::uint16_t program() const { return order_.start.program; }
   /// The block executed last.
@@ -106,7 +108,7 @@ class TestRun {
   std::size_t contour_blocks_ = 0;  ///< of the contour that is followed now
   std::vector<Finding> findings_;
   std::size_t findings_left_off_ = 0;
-  std::uint64_t blocks_ = 0;
+  std::uint64_t blocks_ = 0, ways_ = 0;
   geometry::SourceBlock block_;
   std::size_t main_index_ = 0, main_blocks_ = 1;
   geometry::Point position_;
