@@ -12,8 +12,6 @@
 #include <cstdio>
 #include <string>
 
-#include "station/cell_text.hpp"
-
 namespace cnclab::station {
 
 struct Terminal::Handle {
@@ -109,7 +107,7 @@ std::expected<std::unique_ptr<Terminal>, Ending> Terminal::open(bool is_ascii) {
                     "No terminal: start the station in a terminal, or with --headless."});
   }
   const bool has_utf8 = std::string_view(nl_langinfo(CODESET)) == "UTF-8";
-  std::unique_ptr<Terminal> terminal(new Terminal(is_ascii || !has_utf8));
+  std::unique_ptr<Terminal> terminal(new Terminal(is_ascii || !has_utf8 ? Glyphs::ascii : Glyphs::all));
   if (terminal->handle_->screen == nullptr) {
     return refused({"Dieses Terminal ist unbekannt: TERM prüfen, z. B. TERM=xterm-256color.",
                     "This terminal is unknown: check TERM, e.g. TERM=xterm-256color."});
@@ -118,12 +116,14 @@ std::expected<std::unique_ptr<Terminal>, Ending> Terminal::open(bool is_ascii) {
   return terminal;
 }
 
-Terminal::Terminal(bool is_ascii) : handle_(std::make_unique<Handle>()), is_ascii_(is_ascii) {
+Terminal::Terminal(Glyphs glyphs) : handle_(std::make_unique<Handle>()), glyphs_(glyphs) {
   handle_->screen = ::newterm(nullptr, stdout, stdin);
 }
 
 void Terminal::set_up() {
   ::set_term(handle_->screen);
+  const bool is_linux_console = std::string_view(::termname()).find("linux") != std::string_view::npos;
+  if (is_linux_console && glyphs_ == Glyphs::all) glyphs_ = Glyphs::no_braille;
   ::set_escdelay(kEscapeDelay_ms);
   ::raw();
   ::noecho();
@@ -200,7 +200,7 @@ void Terminal::draw(const Screen& screen) {
 
 void Terminal::write(int row, int column, std::string_view utf8, Attribute attribute, Colour colour) {
   std::wstring text;
-  for (const char32_t code : from_utf8(utf8)) text += static_cast<wchar_t>(shown_code(code, is_ascii_));
+  for (const char32_t code : from_utf8(utf8)) text += static_cast<wchar_t>(shown_code(code, glyphs_));
   const auto pair = static_cast<short>(has_colour_ ? static_cast<int>(colour) : 0);
   ::wattr_set(stdscr, attributes_of(attribute), pair, nullptr);
   ::mvwaddnwstr(stdscr, row, column, text.c_str(), static_cast<int>(text.size()));

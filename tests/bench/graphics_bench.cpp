@@ -143,7 +143,7 @@ Times first_pictures_of_all(Seats& seats) {
   for (harness::StationProcess& seat : seats)
     students.emplace_back([&] {
       const double mine = first_picture_ms(seat);
-      seat.wait_for("100 %");
+      seat.wait_for("100 %  X-Y");
       const std::lock_guard lock(mutex);
       all.push_back(mine);
     });

@@ -21,6 +21,7 @@ constexpr std::uint64_t kFirstWays = 100, kMostWays = 1000;
 
 GraphicTestView view_of(const testrun::TestRun& test, const drawing::Window& window) {
   return {.canvas = draw_scene(test.scene(), window),
+          .view = window.view,
           .block = test.block(),
           .progress = test.progress(),
           .path_mm = test.path_mm(),

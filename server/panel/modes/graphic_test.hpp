@@ -22,6 +22,7 @@ namespace cnclab::panel {
 /// What was to be seen when a portion was over.
 struct GraphicTestView {
   drawing::BrailleCanvas canvas;
+  drawing::View view = drawing::View::xy;  ///< from where it is seen on the canvas
   geometry::SourceBlock block;
   double progress = 0;  ///< 0..1
   double path_mm = 0, machine_time_s = 0;
