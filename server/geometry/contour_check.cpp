@@ -7,6 +7,8 @@
 #include "geometry/contour_check.hpp"
 
 #include <algorithm>
+#include <numeric>
+#include <tuple>
 #include <type_traits>
 
 #include "geometry/offset_element.hpp"
@@ -19,6 +21,13 @@ namespace {
 constexpr double kTolerance_mm = 0.001;
 /// So many elements at either end may be run-in or run-out: a line and an arc.
 constexpr std::size_t kLongestRunIn = 2;
+
+/// What two passes of a loop over the same block have in common.
+auto trace_of(const PlanePiece& piece, const SourceBlock& source) {
+  return std::tie(piece.from.first, piece.from.second, piece.to.first, piece.to.second, piece.center.first,
+                  piece.center.second, piece.radius, piece.is_circle, piece.lowest, piece.highest, source.program,
+                  source.block);
+}
 
 }  // namespace
 
@@ -59,6 +68,8 @@ void ContourCheck::end() {
   if (!is_open_) return;
   is_open_ = false;
   keep_closed_part();
+  drop_repeated(contour_);
+  drop_repeated(ways_);
   plant_tree();
   const double reach = radius_mm_ - kTolerance_mm;
   for (const Placed& way : ways_) {
@@ -89,6 +100,21 @@ void ContourCheck::keep_closed_part() {
       return;
     }
   }
+}
+
+/// A loop runs along the same walls again and again: once is enough, or its passes would count squared.
+void ContourCheck::drop_repeated(std::vector<Placed>& pieces) {
+  const auto trace = [&](std::uint32_t index) { return trace_of(pieces[index].piece, pieces[index].source); };
+  std::vector<std::uint32_t> order(pieces.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
+    const auto order_of_traces = trace(a) <=> trace(b);
+    return order_of_traces == 0 ? a < b : order_of_traces < 0;
+  });
+  std::vector<bool> is_repeated(pieces.size());
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (trace(order[i - 1]) == trace(order[i])) is_repeated[order[i]] = true;
+  std::erase_if(pieces, [&, index = std::size_t{0}](const Placed&) mutable { return is_repeated[index++]; });
 }
 
 /// Sorts the walls so that neighbours in space are neighbours in the tree.

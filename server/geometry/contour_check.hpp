@@ -54,6 +54,7 @@ class ContourCheck {
 
   void append(SourceBlock source, const PathElement& element, std::uint32_t number, std::vector<Placed>& pieces);
   void keep_closed_part();
+  static void drop_repeated(std::vector<Placed>& pieces);
   void plant_tree();
   void compare(const Placed& way, const Placed& wall);
   void note(SourceBlock way, SourceBlock wall, double found_mm);

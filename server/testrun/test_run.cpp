@@ -72,7 +72,7 @@ void TestRun::execute_block() {
     return end();
   }
   items_.clear();
-  const auto executed = source_.step(items_, contour_blocks_ < kLongestContour ? &check_ : nullptr);
+  const auto executed = source_.step(items_, &check_);
   ++blocks_;
   if (executed) block_ = executed->source;
   if (executed && executed->depth == 0)
@@ -100,6 +100,11 @@ void TestRun::follow_contour() {
   contour_blocks_ = is_compensated ? contour_blocks_ + 1 : 0;
   if (is_compensated)
     for (const geometry::PathItem& item : source_.programmed()) keep(item, contour_, contour_spots_);
+  if (is_compensated && contour_blocks_ % order_.longest_contour == 0) {
+    check_.split();
+    if (contour_blocks_ == order_.longest_contour)
+      report({.kind = Kind::contour_in_parts, .block = block_, .most = static_cast<double>(order_.longest_contour)});
+  }
   for (; gouges_ < check_.findings().size(); ++gouges_) {
     const language::Error error = program::error_of(check_.findings()[gouges_]);
     report({.kind = Kind::error, .block = {error.program, error.block}, .error = error});

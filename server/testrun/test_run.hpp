@@ -11,6 +11,8 @@
 //  2. Input 1 is inactive, halts and waits are passed.
 //  3. It ends where the control would: at the program's end, an error, a limit switch; and at the limits of the order.
 //  4. Each finding is told once for a block.
+//  5. A contour that is longer than the order allows is checked in parts, and that is told: what cuts into a wall of an
+//     earlier part is not found.
 #pragma once
 
 #include <cstdint>
@@ -45,6 +47,7 @@ struct TestOrder {
   std::uint64_t most_blocks = 200'000;  ///< then it counts as endless
   double most_machine_s = 36'000;       ///< then it is broken off: ten hours
   std::size_t most_spots = 50'000;      ///< kept of the path, and of the contour, for the picture; 12 bytes each
+  std::size_t longest_contour = 2000;   ///< blocks of a contour that are checked as a whole; 400 bytes each
 };
 
 /// Travel of a machine whose axes stand in the middle at the start (DEC-23).
@@ -53,8 +56,6 @@ struct TestOrder {
 class TestRun {
  public:
   static constexpr std::size_t kMostFindings = 200;
-  /// Contours of more blocks are not checked for ways that cut into them: 400 bytes for each element.
-  static constexpr std::size_t kLongestContour = 2000;
 
   /// errors   as PathSource::begin: the program cannot be started at all
   [[nodiscard]] static std::expected<TestRun, language::Error> begin(TestOrder order);

@@ -132,6 +132,18 @@ TEST(ContourCheck, BeginsAnewWithEachChain) {
   EXPECT_EQ(outcome.gouges.size(), 0U);
 }
 
+/// Two rooms with a neck that is too narrow, again and again: every pass beside every other would be millions of pairs.
+TEST(ContourCheck, PassesOfALoopCountOnce) {
+  Part part;
+  part.from(-20, 10).left(5).line(-30, 0);
+  for (int pass = 0; pass < 2000; ++pass) {
+    part.line(40, 0).line(40, 20).line(10, 20).line(10, 8).line(0, 8).line(0, 20).line(-30, 20).line(-30, 0);
+  }
+  const Outcome outcome = run(part);
+  ASSERT_FALSE(outcome.fault);
+  EXPECT_GT(outcome.gouges.size(), 0U);
+}
+
 TEST(ContourCheck, AnEndWithoutAChainFindsNothing) {
   ContourCheck check;
   check.end();
