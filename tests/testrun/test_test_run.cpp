@@ -139,6 +139,16 @@ TEST_P(Errors, EndTheRun) {
   EXPECT_THAT(explain(finding, language::Tongue::german), HasSubstr("P0001 N00"));
 }
 
+/// A room that is entered from outside: the walls are known only at its end.
+TEST(TestRun, AnEntryThroughAWallIsFound_COMP007) {
+  const TestRun test =
+      run(order_of(with_tools("P0001N001G11F1000T01M03N002G41N003G01Y+20000N004G01X+30000N005G01Y+40000N006G01X-60000"
+                              "N007G01Y-40000N008G01X+30000N009G40N010G01Y+20000")));
+  ASSERT_FALSE(test.findings().empty());
+  EXPECT_EQ(explain(test.findings().front(), language::Tongue::german),
+            "P0001 N003: Einfahren würde in P0001 N008 schneiden. Von der freien Seite anfahren.");
+}
+
 /// A bay behind an opening of 8 mm, and a cutter of 10 mm.
 TEST(TestRun, AContourThatCutsIntoItselfIsFound_DEC_09) {
   const TestRun test = run(order_of(with_tools(
