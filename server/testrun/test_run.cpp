@@ -75,6 +75,7 @@ void TestRun::execute_block() {
   const auto executed = source_.step(items_, &check_);
   ++blocks_;
   if (executed) block_ = executed->source;
+  if (!executed && blocks_ == 1) block_ = {executed.error().program, executed.error().block};
   if (executed && executed->depth == 0)
     if (const language::Program* main = order_.programs.find(block_.program)) {
       main_blocks_ = std::max<std::size_t>(main->blocks.size(), 1);
@@ -203,8 +204,9 @@ void TestRun::end() {
 }
 
 double TestRun::progress() const {
+  constexpr double kMostBeforeTheEnd = 0.99;  // a loop comes to the last block again and again
   if (has_ended_) return 1;
-  return std::min(1.0, static_cast<double>(main_index_) / static_cast<double>(main_blocks_));
+  return std::min(kMostBeforeTheEnd, static_cast<double>(main_index_) / static_cast<double>(main_blocks_));
 }
 
 drawing::Scene TestRun::scene() const {

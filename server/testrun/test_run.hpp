@@ -71,9 +71,9 @@ class TestRun {
   [[nodiscard]] std::uint64_t ways() const { return ways_; }
   /// The one that was started.
   [[nodiscard]] std::uint16_t program() const { return order_.start.program; }
-  /// The block executed last.
+  /// The block executed last; where there is none, the one that cannot be executed.
   [[nodiscard]] geometry::SourceBlock block() const { return block_; }
-  /// Done of the main program's blocks, 0..1: jumps make it go back.
+  /// Done of the main program's blocks, 0..1: jumps make it go back. 1 only at the end.
   [[nodiscard]] double progress() const;
   [[nodiscard]] double path_mm() const { return path_mm_; }
   [[nodiscard]] double machine_time_s() const { return time_.seconds(); }  ///< whole at the end, a little behind before

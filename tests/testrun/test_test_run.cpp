@@ -100,6 +100,23 @@ TEST_P(Findings, AreToldInWordsWithTheirBlock) {
   EXPECT_EQ(texts_of(run(std::move(order))), GetParam().texts);
 }
 
+TEST(TestRun, AnEndlessProgramIsNeverAllDoneBeforeItsEnd) {
+  TestOrder order = order_of(with_tools("P0001N001G11F1000N002G20P0001N001"));
+  order.most_blocks = 100;
+  auto test = TestRun::begin(std::move(order));
+  ASSERT_TRUE(test);
+  test->advance(50);
+  EXPECT_EQ(test->block().block, 2);
+  EXPECT_LT(test->progress(), 1);
+  test->advance(100);
+  EXPECT_EQ(test->progress(), 1);
+}
+
+TEST(TestRun, AFaultyFirstBlockIsTheOneShown) {
+  const TestRun test = run(order_of(with_tools("P0001N005G01X+1000F9000")));
+  EXPECT_EQ(test.block(), (geometry::SourceBlock{1, 5}));
+}
+
 TEST(TestRun, AnArcThatBulgesBeyondTheSwitchIsFound) {
   const TestRun test = run(order_of(with_tools("P0001N001G11F1000M03N002G01X+200000N003G02X+0Y-120000I+0J-60000")));
   ASSERT_EQ(test.findings().size(), 1u);
