@@ -130,6 +130,7 @@ void ContourCheck::add_exit(SourceBlock source, const Line& exit) {
 /// Drops run-in and run-out from the walls: the largest part that closes is the contour.
 void ContourCheck::keep_closed_part() {
   const std::size_t count = elements_;
+  is_closed_ = false;
   for (std::size_t dropped = 0; dropped <= 2 * kLongestRunIn; ++dropped) {
     for (std::size_t ahead = 0; ahead <= std::min(dropped, kLongestRunIn); ++ahead) {
       const std::size_t behind = dropped - ahead;
@@ -137,6 +138,7 @@ void ContourCheck::keep_closed_part() {
       if (size(joints_[ahead] - joints_[count - behind]) > kSamePoint_mm) continue;
       std::erase_if(contour_,
                     [&](const Placed& wall) { return wall.element <= ahead || wall.element > count - behind; });
+      is_closed_ = true;
       return;
     }
   }
@@ -202,7 +204,8 @@ void ContourCheck::look_at(const Passage& passage, const Placed& wall) {
   const PlanePiece corner{.from = passage.corner, .to = passage.corner};
   const bool is_at_corner =
       distance_between(corner, wall.piece) < radius_mm_ && distance_between(way, corner) < found + kTolerance_mm;
-  if (is_at_corner) needed = wall.element == passage.element ? 0 : radius_mm_ * kLeastAtCorner;
+  const bool is_own = wall.element == passage.element && !is_closed_;
+  if (is_at_corner) needed = is_own ? 0 : radius_mm_ * kLeastAtCorner;
   if (found < needed) note(passage.kind, passage.source, wall.source, found);
 }
 

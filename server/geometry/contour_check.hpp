@@ -24,7 +24,7 @@ namespace cnclab::geometry {
 ///
 /// An entry that begins on the wrong side of a closed contour has to cross a wall (COMP-007). The corner where the
 /// contour begins is touched by construction (D-70): there only what comes nearer than half the radius counts, and
-/// against the first element nothing does; the same for the exit and the last one.
+/// nothing against the first element of a contour that does not close; the same for the exit and the last one.
 ///
 /// Memory: that of one chain, about 400 bytes per element. Time: n·log n for chains that stay near themselves.
 class ContourCheck {
@@ -81,6 +81,7 @@ class ContourCheck {
   Plane plane_ = Plane::xy;
   double radius_mm_ = 0;
   bool is_open_ = false;
+  bool is_closed_ = false;    ///< the contour, once it is complete
   bool awaits_exit_ = false;  ///< a chain has ended, its walls are in the tree
   Passage entry_;
   std::uint32_t elements_ = 0;       ///< of the contour so far

@@ -142,7 +142,7 @@ TEST(ContourCheck, BeginsAnewWithEachChain) {
 TEST(ContourCheck, PassesOfALoopCountOnce) {
   Part part;
   part.from(-20, 10).left(5).line(-30, 0);
-  for (int pass = 0; pass < 2000; ++pass) {
+  for (int pass = 0; pass < 500; ++pass) {
     part.line(40, 0).line(40, 20).line(10, 20).line(10, 8).line(0, 8).line(0, 20).line(-30, 20).line(-30, 0);
   }
   const Outcome outcome = run(part);
