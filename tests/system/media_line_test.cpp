@@ -88,6 +88,17 @@ TEST_F(MediaCut, SEAT_004_AFileThatWasReplacedMeanwhileIsReadAsItIsNow) {
   EXPECT_GT(forwarded_since(Way::to_server), long_tape("-777777").size()) << "from its beginning";
 }
 
+TEST_F(MediaCut, SEAT_004_AKilledStationLeavesNothingHalfAndTheNextOneTakesTheFile) {
+  lay("P0008.nc", "old");
+  cut_in_the_midst("4", Way::to_client);
+  anna_.kill_hard();
+  EXPECT_EQ(content("P0008.nc"), "old");
+  EXPECT_THAT(files(), ElementsAre("P0008.nc"));
+  anna_ = sit_down();
+  ASSERT_TRUE(eventually(8s, [&] { return content("P0008.nc") == long_tape("-123456"); }));
+  EXPECT_THAT(files(), ElementsAre("P0008.nc"));
+}
+
 TEST_F(MediaLine, AUTH_007_NoFileTravelsToTheStationThatHasTheMachine) {
   StationProcess anna = sit_down();
   room().give_machine(1, anna);
