@@ -53,6 +53,11 @@ std::optional<v1::ClientMessage> MediaDrive::take(const v1::ServerMessage& messa
   return std::nullopt;
 }
 
+void MediaDrive::pause() {
+  transfer_.reset();
+  if (std::holds_alternative<Leaving>(work_)) work_ = std::monostate{};  // it is read anew: it may have changed by then
+}
+
 v1::ClientMessage MediaDrive::put(const v1::PutMedia& request) {
   const std::uint32_t transfer = request.transfer();
   if (request.size() == 0 || request.size() > kLargestMediaWritten) return failed(transfer, v1::MEDIA_FAULT_REFUSED);

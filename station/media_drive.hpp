@@ -34,7 +34,7 @@ class MediaDrive {
   [[nodiscard]] std::optional<v1::ClientMessage> take(const v1::ServerMessage& message);
 
   /// The connection is gone. What has come of a file is kept for the same user's next one.
-  void pause() { transfer_.reset(); }
+  void pause();
 
  private:
   /// It stays when the last chunk was acknowledged: whether that arrives is not known.

@@ -77,8 +77,8 @@ class MediaTransfer {
   bool is_first_answer_ = false;    ///< what comes next says where the file goes on
   std::size_t files_done_ = 0;      ///< PutFiles
   std::uint64_t sent_ = 0;          ///< PutFiles: bytes of the file
-  std::uint64_t acknowledged_ = 0;  ///< PutFiles: of those, what the station has; it outlives a cut
-  std::string received_;            ///< GetFile: as well
+  std::uint64_t acknowledged_ = 0;  ///< PutFiles: of those, what the station has; outlives a cut
+  std::string received_;            ///< GetFile: what has come; outlives a cut
 };
 
 }  // namespace cnclab::lab
