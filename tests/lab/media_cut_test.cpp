@@ -110,7 +110,7 @@ constexpr std::size_t kMostChunks = 6;
 /// Few letters, so that two files may well begin alike.
 rc::Gen<std::string> any_content() {
   return rc::gen::mapcat(rc::gen::inRange<std::size_t>(1, kMostChunks * kLargestChunk), [](std::size_t size) {
-    return rc::gen::map(rc::gen::inRange(0, 1000), [size](int seed) {
+    return rc::gen::map(rc::gen::inRange<std::size_t>(0, 1000), [size](std::size_t seed) {
       std::string content(size, '\0');
       for (std::size_t i = 0; i < size; ++i) content[i] = static_cast<char>('a' + (i * i + i / 7) * (seed + 1) % 251);
       return content;

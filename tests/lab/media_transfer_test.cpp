@@ -96,8 +96,8 @@ const std::string kThree = std::string(4096, 'a') + std::string(4096, 'b') + std
 MediaTransfer cut_off(std::uint32_t& numbers) {
   MediaTransfer transfer(PutFiles{{{"P0001.tap", "abc"}, {"P0001.txt", kThree}, {"P0002.txt", "abc"}}});
   static_cast<void>(transfer.begin(numbers));
-  for (const std::uint64_t offset : {0, 3}) static_cast<void>(transfer.take(ack(1, offset), numbers));
-  for (const std::uint64_t offset : {0, 4096, 8192}) static_cast<void>(transfer.take(ack(2, offset), numbers));
+  for (const std::uint64_t offset : {0U, 3U}) static_cast<void>(transfer.take(ack(1, offset), numbers));
+  for (const std::uint64_t offset : {0U, 4096U, 8192U}) static_cast<void>(transfer.take(ack(2, offset), numbers));
   transfer.pause();
   numbers = 0;  // the next connection counts anew
   return transfer;
@@ -108,7 +108,7 @@ TEST(MediaTransfer, ACutLineGoesOnWhereTheStationWas) {  // SEAT-004
     const char* name;
     std::uint64_t answer;
     std::string next;
-  } kRows[] = {
+  } rows[] = {
       {"it has what it acknowledged", 8192, "chunk 8192+1808 last"},
       {"it has nothing, or knows no offsets", 0, "chunk 0+4096"},
       {"more than it acknowledged", 10'000, "breach"},
@@ -116,7 +116,7 @@ TEST(MediaTransfer, ACutLineGoesOnWhereTheStationWas) {  // SEAT-004
       {"one byte", 1, "breach"},
       {"beyond all files", UINT64_MAX, "breach"},
   };
-  for (const auto& row : kRows) {
+  for (const auto& row : rows) {
     std::uint32_t numbers = 0;
     MediaTransfer transfer = cut_off(numbers);
     EXPECT_EQ(told(transfer.begin(numbers), kThree), "put P0001.txt 10000 from 8192") << "the first one is there";
@@ -160,14 +160,14 @@ TEST(MediaTransfer, AFileIsReadOnOrAnewAsTheStationFindsIt) {  // SEAT-004
     std::uint64_t offset;
     std::size_t size;
     std::string next;
-  } kRows[] = {
+  } rows[] = {
       {"it is the same", 4096, 904, "ack 5000, done 5000"},
       {"it has changed, or the station knows no offsets", 0, 904, "ack 904, done 904"},
       {"a gap", 4097, 904, "breach"},
       {"a piece that is here", 1, 904, "breach"},
       {"beyond all files", UINT64_MAX, 904, "breach"},
   };
-  for (const auto& row : kRows) {
+  for (const auto& row : rows) {
     MediaTransfer transfer(GetFile{{"P0001.nc", "SPEICHER.nc"}});
     std::uint32_t numbers = 0;
     static_cast<void>(transfer.begin(numbers));
@@ -192,7 +192,7 @@ TEST(MediaTransfer, AStationThatDoesNotKeepToTheOrderIsABreach) {  // SEC-006
     const char* name;
     panel::MediaRequest request;
     std::function<MediaTransfer::Step(MediaTransfer&, std::uint32_t&)> act;
-  } kRows[] = {
+  } rows[] = {
       {"acknowledges ahead", PutFiles{{{"P0001.nc", "abc"}}}, [](auto& t, auto& n) { return t.take(ack(1, 1), n); }},
       {"sends unasked", PutFiles{{{"P0001.nc", "abc"}}}, [](auto& t, auto&) { return t.take(chunk(1, 0, 1, true)); }},
       {"acknowledges nothing", GetFile{{"P0001.nc"}}, [](auto& t, auto& n) { return t.take(ack(1, 0), n); }},
@@ -200,7 +200,7 @@ TEST(MediaTransfer, AStationThatDoesNotKeepToTheOrderIsABreach) {  // SEC-006
       {"sends nothing", GetFile{{"P0001.nc"}}, [](auto& t, auto&) { return t.take(chunk(1, 0, 0, true)); }},
       {"too large a chunk", GetFile{{"P0001.nc"}}, [](auto& t, auto&) { return t.take(chunk(1, 0, 4097, true)); }},
   };
-  for (const auto& row : kRows) {
+  for (const auto& row : rows) {
     MediaTransfer transfer(row.request);
     std::uint32_t numbers = 0;
     static_cast<void>(transfer.begin(numbers));

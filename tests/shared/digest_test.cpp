@@ -28,7 +28,7 @@ TEST(Digest, ABeginningIsProvenByItsBytesOnly) {
     std::uint64_t offset;
     std::string digest;
     bool is_proven;
-  } kRows[] = {
+  } rows[] = {
       {"the beginning", 3, sha256("abc"), true},
       {"all of it", 6, sha256("abcdef"), true},
       {"other bytes", 3, sha256("abd"), false},
@@ -39,7 +39,7 @@ TEST(Digest, ABeginningIsProvenByItsBytesOnly) {
       {"no digest", 3, "", false},
       {"a piece of the digest", 3, sha256("abc").substr(0, 31), false},
   };
-  for (const auto& row : kRows) EXPECT_EQ(begins_with("abcdef", row.offset, row.digest), row.is_proven) << row.name;
+  for (const auto& row : rows) EXPECT_EQ(begins_with("abcdef", row.offset, row.digest), row.is_proven) << row.name;
 }
 
 }  // namespace

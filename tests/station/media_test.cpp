@@ -168,9 +168,9 @@ TEST_F(Media, SEC_006_SizesAndOrderOfChunksAreHeldTo) {
     std::uint64_t offset;
     std::string data;
     bool is_last;
-  } kWrong[] = {{1, "abc", true}, {0, "abcd", true}, {0, "abc", false},
-                {0, "ab", true},  {0, "", false},    {0, std::string(4097, 'a'), false}};
-  for (const auto& row : kWrong) {
+  } wrong[] = {{1, "abc", true}, {0, "abcd", true}, {0, "abc", false},
+               {0, "ab", true},  {0, "", false},    {0, std::string(4097, 'a'), false}};
+  for (const auto& row : wrong) {
     EXPECT_EQ(told(put("P0001.nc", 3)), "ack 0");
     EXPECT_EQ(told(chunk(row.offset, row.data, row.is_last)), "fault REFUSED") << row.offset << " " << row.data.size();
   }
@@ -232,7 +232,7 @@ TEST_F(Media, SEAT_004_AFileGoesOnWhereTheServerProvesThatItIsTheSame) {
     std::uint64_t size = 10'000;
     Known known{};
     std::uint64_t goes_on_at = 0;
-  } kRows[] = {
+  } rows[] = {
       {.name = "all that came", .known = known(kThree.substr(0, 8192)), .goes_on_at = 8192},
       {.name = "an acknowledgement was lost", .known = known(kThree.substr(0, 4096)), .goes_on_at = 4096},
       {.name = "in the midst of a chunk", .known = known(kThree.substr(0, 5000)), .goes_on_at = 5000},
@@ -245,7 +245,7 @@ TEST_F(Media, SEAT_004_AFileGoesOnWhereTheServerProvesThatItIsTheSame) {
       {.name = "another size", .size = 10'001, .known = known(kThree.substr(0, 8192))},
       {.name = "another name", .file = "P0002.nc", .known = known(kThree.substr(0, 8192))},
   };
-  for (const auto& row : kRows) {
+  for (const auto& row : rows) {
     drive_ = MediaDrive(MediaPlace{folder_.path(), false}, "anna");
     put("P0001.nc", kThree.size());
     chunk(0, kThree.substr(0, 4096), false);
@@ -278,7 +278,7 @@ TEST_F(Media, SEAT_004_OnlyOneFileIsKeptAndNotForLong) {
   const struct {
     const char* name;
     std::function<void()> meanwhile;
-  } kRows[] = {
+  } rows[] = {
       {"another file", [this] { put("P0002.nc", 5); }},
       {"a file that is refused", [this] { put("../P0002.nc", 5); }},
       {"a file to be read", [this] { get({"P0003.nc"}); }},
@@ -286,7 +286,7 @@ TEST_F(Media, SEAT_004_OnlyOneFileIsKeptAndNotForLong) {
       {"a chunk out of order", [this] { chunk(1, "x", false); }},
       {"another session", [this] { drive_ = MediaDrive(MediaPlace{folder_.path(), false}, "anna"); }},
   };
-  for (const auto& row : kRows) {
+  for (const auto& row : rows) {
     put("P0001.nc", kThree.size());
     chunk(0, kThree.substr(0, 4096), false);
     row.meanwhile();
@@ -302,7 +302,7 @@ TEST_F(Media, SEAT_004_AFileIsReadOnWhereItBeginsAsBefore) {
     std::vector<std::pair<std::string, std::string>> lie;  ///< when the line is back
     std::string told, data{};
     Known known{4096, kThree.substr(0, 4096)};
-  } kRows[] = {
+  } rows[] = {
       {"as it was", {{"P0001.nc", kThree}}, "chunk 4096+4096", kThree.substr(4096, 4096)},
       {"new behind what has arrived", {{"P0001.nc", first + "new"}}, "chunk 4096+3 last", "new"},
       {"new at its beginning", {{"P0001.nc", "N" + kThree.substr(1)}}, "chunk 0+4096", "N" + first.substr(1)},
@@ -314,7 +314,7 @@ TEST_F(Media, SEAT_004_AFileIsReadOnWhereItBeginsAsBefore) {
       {"no proof", {{"P0001.nc", kThree}}, "chunk 0+4096", first, {4096, ""}},
       {"beyond all files", {{"P0001.nc", kThree}}, "chunk 0+4096", first, {UINT64_MAX, first}},
   };
-  for (const auto& row : kRows) {
+  for (const auto& row : rows) {
     folder_.write("P0001.nc", kThree);
     EXPECT_EQ(told(get({"P0001.nc", "SPEICHER.nc"})), "chunk 0+4096");
     EXPECT_EQ(told(acknowledge(4096)), "chunk 4096+4096");  // which is lost
@@ -329,8 +329,8 @@ TEST_F(Media, SEAT_004_AFileIsReadOnWhereItBeginsAsBefore) {
 
 TEST_F(Media, EXT_030_WhatAKilledStationHasLeftIsTakenAway) {
   using namespace std::chrono_literals;
-  const fs::path old = folder_.write(".cnclab-4711.part", "half"), young = folder_.write(".cnclab-4712.part", "half"),
-                 other = folder_.write(".profile", "mine");
+  const fs::path old = folder_.write(".cnclab-4711.part", "half"), other = folder_.write(".profile", "mine");
+  folder_.write(".cnclab-4712.part", "half");
   for (const fs::path& file : {old, other}) fs::last_write_time(file, fs::file_time_type::clock::now() - 11min);
   fs::create_directory(folder_.path() / ".cnclab-1.part");
   EXPECT_EQ(told(get({".cnclab-4711.part"})), "fault REFUSED") << "it is no file of the folder";

@@ -243,12 +243,12 @@ TEST(Session, HalfAFileOutlivesACutButNoNewLoginAndNoOtherUser) {  // SEAT-004, 
     v1::LoginResult result;
     std::string user;
     std::uint64_t kept;
-  } kRows[] = {
+  } rows[] = {
       {"resumed", v1::LOGIN_RESULT_OK, "anna", 3},
       {"resumed as somebody else", v1::LOGIN_RESULT_OK, "berta", 0},
       {"logged in anew", v1::LOGIN_RESULT_TICKET_VOID, "anna", 0},
   };
-  for (const auto& row : kRows) {
+  for (const auto& row : rows) {
     const TemporaryFolder folder;
     std::optional<std::uint64_t> kept;
     const auto ask_again = [&](FakeLine& line) -> asio::awaitable<void> {
