@@ -162,6 +162,8 @@ class Lab {
   void take_media(const VisitPtr& visit, const v1::ClientMessage& message);
   void watch_media(const DeskPtr& desk, std::int64_t now_ns);
   void seat_media(const VisitPtr& visit, const DeskPtr& desk);
+  /// The line is gone: what is under way goes on at the next one.
+  static void pause_media(Desk& desk);
   /// Behind key LABOR: a hardcopy of the control's screen, and of the picture in GRAFIK (SYS-013).
   void print_screen(const DeskPtr& desk);
 

@@ -320,8 +320,7 @@ void Lab::vacate(const VisitPtr& visit, const std::string& why) {
   desk->login = kNoLogin;
   desk->stop_training();
   lines_.cut_of(*desk);
-  for (const auto& order : desk->media)
-    if (order->transfer) order->transfer->pause();  // begins anew when the line is back
+  pause_media(*desk);
   desk->waiting.clear();
   desk->keep_until_ns = clock_.monotonic_ns() + configuration_.keep_minutes * 60'000'000'000LL;
   journal_.write("left", why, desk->station, desk->person.name);
