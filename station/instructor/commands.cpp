@@ -91,6 +91,16 @@ void add_station_command(Table& table, const std::string& name, const std::strin
   needed(sub, "station", station, "1 to 15")->check(CLI::Range(1, kLastStation));
 }
 
+/// NAME N on|off
+void add_station_switch(Table& table, const std::string& name, const std::string& description,
+                        const std::function<void(v1::InstructorRequest&, std::uint32_t, bool)>& fill) {
+  const auto station = value<std::uint32_t>();
+  const auto state = value<std::string>();
+  auto& sub = table.add(name, description, [=](Command& command) { fill(command.request, *station, *state == "on"); });
+  needed(sub, "station", station, "1 to 15")->check(CLI::Range(1, kLastStation));
+  needed(sub, "state", state, "on or off")->check(CLI::IsMember({"on", "off"}));
+}
+
 void add_selector(Table& table) {
   table.add("status", "everything at a glance", [](Command& c) { c.request.mutable_status(); });
   const auto station = value<std::uint32_t>();
@@ -112,7 +122,6 @@ void add_selector(Table& table) {
 }
 
 void add_switches(Table& table) {
-  const CLI::IsMember on_or_off({"on", "off"});
   const auto number = value<std::uint32_t>();
   const auto state = value<std::string>();
   auto& input = table.add("input", "switches a simulated input", [=](Command& c) {
@@ -121,15 +130,16 @@ void add_switches(Table& table) {
   });
   needed(input, "number", number, "0 Input 1, 11 to 18 card 1, 21 to 28 card 2")
       ->check(CLI::IsMember({0U, 11U, 12U, 13U, 14U, 15U, 16U, 17U, 18U, 21U, 22U, 23U, 24U, 25U, 26U, 27U, 28U}));
-  needed(input, "state", state, "on or off")->check(on_or_off);
-  const auto station = value<std::uint32_t>();
-  const auto remote_state = value<std::string>();
-  auto& remote = table.add("remote", "REMOTE switch of a station", [=](Command& c) {
-    c.request.mutable_remote()->set_station(*station);
-    c.request.mutable_remote()->set_on(*remote_state == "on");
+  needed(input, "state", state, "on or off")->check(CLI::IsMember({"on", "off"}));
+  add_station_switch(table, "remote", "REMOTE switch of a station", [](auto& request, auto station, bool on) {
+    request.mutable_remote()->set_station(station);
+    request.mutable_remote()->set_on(on);
   });
-  needed(remote, "station", station, "1 to 15")->check(CLI::Range(1, kLastStation));
-  needed(remote, "state", remote_state, "on or off")->check(on_or_off);
+  add_station_switch(table, "ram-fault", "a fault in the memory of the control there, for the memory test to find",
+                     [](auto& request, auto station, bool on) {
+                       request.mutable_ram_fault()->set_station(station);
+                       request.mutable_ram_fault()->set_on(on);
+                     });
 }
 
 const CLI::Validator& machine_datum() {

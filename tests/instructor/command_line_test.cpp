@@ -57,6 +57,8 @@ std::vector<Row> machine_rows() {
       {"input of the machine", {"input", "0", "on"}, "input{input:0 on:true}"},
       {"input of card 2", {"input", "28", "off"}, "input{input:28 on:false}"},
       {"EXT-060 remote", {"remote", "3", "on"}, "remote{station:3 on:true}"},
+      {"ERR-034 ram-fault", {"ram-fault", "3", "on"}, "ram_fault{station:3 on:true}"},
+      {"ERR-034 ram-fault off", {"ram-fault", "3", "off"}, "ram_fault{station:3}"},
       {"DEC-25 machine-data prints", {"machine-data"}, "machine_data{}"},
       {"DEC-25 machine-data changes",
        {"machine-data", "06=2500", "12=80"},

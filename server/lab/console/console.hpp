@@ -58,6 +58,7 @@ class Console {
                    std::function<void(Lab&, const std::string&)> then) const;
   void input(const Reply& reply, const v1::SetInput& request) const;
   void remote(const Reply& reply, const v1::SetRemote& request) const;
+  void ram_fault(const Reply& reply, const v1::SetRamFault& request) const;
   void machine_data(const Reply& reply, const v1::ChangeMachineData& request) const;
 
   // console_classroom.cpp

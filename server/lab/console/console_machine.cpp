@@ -94,6 +94,7 @@ void Console::status(const Reply& reply) const {
     station.set_locked(desk->is_locked);
     station.set_taken_by(desk->taken_by);
     station.set_remote(desk->control.is_remote());
+    station.set_ram_fault(desk->control.has_ram_fault());
     const auto line = std::ranges::find_if(lab_.lines_, [&](const auto& one) { return one->desk.lock() == desk; });
     if (line != lab_.lines_.end()) station.set_line((*line)->peer->address());
     const std::int64_t a_minute_ago_ns = lab_.clock_.monotonic_ns() - kMinute_ns;
@@ -126,6 +127,14 @@ void Console::remote(const Reply& reply, const v1::SetRemote& request) const {
         reply, lab_.say(reply.tongue, "Plätze haben die Nummern 1 bis 15.", "Stations have the numbers 1 to 15."));
   lab_.set_remote(static_cast<int>(request.station()), request.on(), reply.visit->person.name);
   send_done(reply);
+}
+
+/// A fault of the memory belongs to the control: it ends with the log-out at the latest.
+void Console::ram_fault(const Reply& reply, const v1::SetRamFault& request) const {
+  const auto desk = desk_at(reply, request.station());
+  if (!desk) return;
+  desk->control.set_ram_fault(request.on());
+  done_at(reply, desk, request.on() ? "ram_fault" : "ram_fault_end");
 }
 
 void Console::machine_data(const Reply& reply, const v1::ChangeMachineData& request) const {
