@@ -306,6 +306,7 @@ constexpr std::array<TextRow, kTexts> kTable{{
     {Text::said_transfer_stopped, "Übertragung abgebrochen, nichts wurde übernommen. Gerät wählen.",
      "Transfer aborted, nothing was taken over. Choose a device."},
     {Text::said_written, "Ausgabe beendet. Gerät wählen.", "Output done. Choose a device."},
+    {Text::said_files_written, "Ausgabe beendet: {}. Gerät wählen.", "Output done: {}. Choose a device."},
     {Text::said_leader_short, "Vorspann zu kurz: die Aufnahme liegt auf dem durchsichtigen Band und ist verloren.",
      "Leader too short: the recording lies on the transparent tape and is lost."},
     {Text::said_recording_damaged, "Die Aufnahme ist beschädigt: nichts wurde übernommen. Eine andere lesen.",

@@ -233,6 +233,7 @@ enum class Text : std::uint16_t {
   said_not_fitted,
   said_transfer_stopped,
   said_written,
+  said_files_written,
   said_leader_short,
   said_recording_damaged,
   said_tape_end,
