@@ -1,6 +1,7 @@
 // The three loads of LOAD-001 by fifteen real stations, with a console in a terminal and a mirror of every station
 // (LOAD-004): how long a key takes to its screen, what the server costs, how late the ticks are, how old the mirror's
-// tiles get.
+// tiles get. Beside them the floors of the same run and shape (load_floor.cpp): fifteen bare stations at a bare echo,
+// and a bare beat all the time.
 //
 //   bench_load [SECONDS]   per load, default 20; LOAD-003 wants 600 in all: bench_load 200
 #include <array>
@@ -8,6 +9,7 @@
 #include <cstdlib>
 #include <exception>
 #include <mutex>
+#include <sstream>
 #include <thread>
 
 #include "figure.hpp"
@@ -86,6 +88,40 @@ struct Measured {
   std::uint64_t mirrored_bytes = 0;
 };
 
+harness::Launch floor_program(std::vector<std::string> arguments) {
+  return {harness::programs_folder() / "load_floor", std::move(arguments), {}, {}};
+}
+
+/// Fifteen bare stations in processes of their own, ten keys a second each.
+Times floor_keys_us(std::chrono::seconds time) {
+  harness::ChildProcess server(floor_program({"serve"}));
+  const auto port = server.read_line(harness::Deadline(5s));
+  if (!port) throw std::runtime_error("the bare server did not start");
+  std::vector<harness::ChildProcess> stations;
+  for (int i = 0; i < kStations; ++i) stations.emplace_back(floor_program({"type", *port}));
+  std::mutex mutex;
+  Times all;
+  std::vector<std::jthread> students;
+  const auto end = Clock::now() + time;
+  for (std::size_t i = 0; i < stations.size(); ++i) {
+    students.emplace_back([&, i] {
+      Times mine;
+      for (auto next = Clock::now() + static_cast<int>(i) * kBetweenKeys / kStations; next < end;
+           next += kBetweenKeys) {
+        std::this_thread::sleep_until(next);
+        const auto before = Clock::now();
+        if (!stations[i].write("key\n") || !stations[i].read_line(harness::Deadline(5s)))
+          throw std::runtime_error("a bare station ended");
+        mine.push_back(std::chrono::duration<double, std::micro>(Clock::now() - before).count());
+      }
+      const std::lock_guard lock(mutex);
+      all.insert(all.end(), mine.begin(), mine.end());
+    });
+  }
+  students.clear();
+  return all;
+}
+
 /// One student: ten keys a second until the end. The station says `ok` when its screen contains the effect.
 Times work(harness::StationProcess& seat, int station, bool types, Clock::time_point end, Pressed& pressed) {
   seat.key(types ? "MENU EINGABE ENTER ENTER" : "MENU AUTOMAT ENTER ENTER START");
@@ -148,7 +184,8 @@ Measured measure(harness::Classroom& room, Seats& seats, const Load& load, std::
   return all;
 }
 
-void run(harness::Classroom& room, Seats& seats, const Load& load, std::chrono::seconds time) {
+/// floor_p99_us   of the bare stations
+void run(harness::Classroom& room, Seats& seats, const Load& load, std::chrono::seconds time, double floor_p99_us) {
   const pid_t server = room.server().pid();
   const double cpu_before = cpu_seconds(server);
   const double late_before = room.instructor().status()["ticks"]["late"];
@@ -161,6 +198,7 @@ void run(harness::Classroom& room, Seats& seats, const Load& load, std::chrono::
   };
   figure("key_to_screen_us_p50", percentile(measured.keys_us, 0.50), "us");
   figure("key_to_screen_us_p99", percentile(measured.keys_us, 0.99), "us");
+  figure("key_to_screen_to_floor_p99", percentile(measured.keys_us, 0.99) / floor_p99_us, "1");
   figure("server_cpu_percent", 100 * (cpu_seconds(server) - cpu_before) / seconds, "%");
   figure("server_rss_mib", rss_mib(server), "MiB");
   figure("late_ticks", ticks["late"].get<double>() - late_before, "1");
@@ -170,22 +208,41 @@ void run(harness::Classroom& room, Seats& seats, const Load& load, std::chrono::
   figure("mirror_tile_age_ms_p95", percentile(measured.ages_ms, 0.95), "ms");
 }
 
+/// What the machine lets a beat be that does nothing, over the time of all loads.
+void print_beat(harness::ChildProcess& beat) {
+  beat.close_input();
+  const auto line = beat.read_line(harness::Deadline(5s));
+  if (!line) throw std::runtime_error("the bare beat ended");
+  std::istringstream figures(*line);
+  double ticks = 0, late = 0, longest_ms = 0;
+  figures >> ticks >> late >> longest_ms;
+  print_figure("bare_beat_ticks", ticks, "1");
+  print_figure("bare_beat_late_ticks", late, "1");
+  print_figure("bare_beat_longest_delay_ms", longest_ms, "ms");
+}
+
+void run_all(std::chrono::seconds time) {
+  harness::ChildProcess beat(floor_program({"beat"}));
+  harness::Classroom room;
+  const std::string endless = "P0001N001G11F2000N002G01X+20000Y+10000N003G01X-20000Y-10000N004G20P0001N002%";
+  for (int i = 1; i <= kStations; ++i) room.add_student(student_name(i), {endless});
+  Seats seats;
+  for (int i = 1; i <= kStations; ++i) seats.push_back(room.seat(i, student_name(i)));
+  auto echo = ping_pong();
+  print_percentiles("tcp_tls_pingpong_us", echo, "us");
+  auto floor = floor_keys_us(std::min(time, 20s));
+  print_percentiles("load_floor_key_to_screen_us", floor, "us");
+  for (const Load& load : {Load{"typing", 15}, {"running", 0}, {"mixed", 8}})
+    run(room, seats, load, time, percentile(floor, 0.99));
+  print_beat(beat);
+}
+
 }  // namespace
 }  // namespace cnclab::bench
 
 int main(int argc, char** argv) try {
-  using namespace cnclab;
   constexpr int kSeconds = 20;
-  const std::chrono::seconds time(argc > 1 ? std::max(1, std::atoi(argv[1])) : kSeconds);
-  harness::Classroom room;
-  const std::string endless = "P0001N001G11F2000N002G01X+20000Y+10000N003G01X-20000Y-10000N004G20P0001N002%";
-  for (int i = 1; i <= bench::kStations; ++i) room.add_student(bench::student_name(i), {endless});
-  bench::Seats seats;
-  for (int i = 1; i <= bench::kStations; ++i) seats.push_back(room.seat(i, bench::student_name(i)));
-  auto floor = bench::ping_pong();
-  bench::print_percentiles("tcp_tls_pingpong_us", floor, "us");
-  for (const bench::Load& load : {bench::Load{"typing", 15}, {"running", 0}, {"mixed", 8}})
-    bench::run(room, seats, load, time);
+  cnclab::bench::run_all(std::chrono::seconds(argc > 1 ? std::max(1, std::atoi(argv[1])) : kSeconds));
   return 0;
 } catch (const std::exception& error) {
   fmt::print(stderr, "bench_load: {}\n", error.what());

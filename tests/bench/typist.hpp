@@ -116,12 +116,26 @@ class Typist {
   std::uint64_t number_ = 0, handled_ = 0, beat_ = 0, state_ = 0;
 };
 
-/// The same load on the echo server: a key-sized frame there, a screen-sized one back.
-inline Times ping_pong() {
+/// What the echo server answers: a frame with one row of a screen.
+inline std::string screen_sized_frame() {
   v1::ServerMessage screen;
   auto& row = *screen.mutable_screen()->add_rows();
   row.add_spans()->set_text(std::string(80, 'x'));
-  const EchoServer server(frame(screen));
+  return frame(screen);
+}
+
+inline v1::ClientMessage one_key() {
+  v1::ClientMessage key;
+  key.mutable_key()->set_number(1);
+  key.mutable_key()->add_keys(v1::KEY_1);
+  key.mutable_key()->set_pressed(true);
+  key.mutable_key()->mutable_seen()->set_beat(123'456);
+  return key;
+}
+
+/// The same load on the echo server: a key-sized frame there, a screen-sized one back.
+inline Times ping_pong() {
+  const EchoServer server(screen_sized_frame());
   std::mutex mutex;
   Times all;
   {
@@ -129,11 +143,7 @@ inline Times ping_pong() {
     for (int station = 1; station <= kStations; ++station) {
       threads.emplace_back([&, station] {
         Line line(server.port());
-        v1::ClientMessage key;
-        key.mutable_key()->set_number(1);
-        key.mutable_key()->add_keys(v1::KEY_1);
-        key.mutable_key()->set_pressed(true);
-        key.mutable_key()->mutable_seen()->set_beat(123'456);
+        const v1::ClientMessage key = one_key();
         Times mine;
         auto next = Clock::now() + station * kBetweenKeys / kStations;
         for (int i = 0; i < kKeys; ++i) {
