@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "station/cell_text.hpp"
+#include "station/form_keys.hpp"
 
 namespace cnclab::station {
 namespace {
@@ -75,29 +76,18 @@ LoginForm::State LoginForm::handle(const Input& input) {
     type(*character);
     return State::editing;
   }
-  switch (std::get<Special>(input)) {
-    case Special::escape:
-    case Special::ctrl_c:
+  switch (lead_through(std::get<Special>(input), fields_.size(), current_)) {
+    case FormAct::cancel:
       return State::cancelled;
-    case Special::backspace:
+    case FormAct::submit:
+      return submit();
+    case FormAct::erase:
       if (!fields_[current_].value.empty()) fields_[current_].value.pop_back();
       return State::editing;
-    case Special::up:
-      current_ = current_ == 0 ? 0 : current_ - 1;
-      return State::editing;
-    case Special::tab:
-      current_ = (current_ + 1) % fields_.size();
-      return State::editing;
-    case Special::down:
-      current_ = std::min(current_ + 1, fields_.size() - 1);
-      return State::editing;
-    case Special::enter:
-      if (current_ + 1 == fields_.size()) return submit();
-      ++current_;
-      return State::editing;
-    default:
+    case FormAct::none:
       return State::editing;
   }
+  return State::editing;
 }
 
 void LoginForm::type(char32_t character) {
