@@ -9,6 +9,7 @@
 #include "panel/key_table.hpp"
 #include "panel/remote_line.hpp"
 #include "panel/run/run_end.hpp"
+#include "panel/screen/names.hpp"
 #include "panel/screen/screen_frame.hpp"
 #include "panel/state_json.hpp"
 

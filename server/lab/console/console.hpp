@@ -51,6 +51,7 @@ class Console {
 
   // console_machine.cpp
   void status(const Reply& reply) const;
+  void fill_station(v1::StationStatus& out, const std::shared_ptr<Desk>& desk) const;
   void decided(const Reply& reply, const Event& event) const;
   void tools(const Reply& reply, const v1::SetTools& request) const;
   void workpiece(const Reply& reply, const v1::SetWorkpiece& request) const;

@@ -270,10 +270,4 @@ struct TextRow {
 /// The text with each "{}" replaced by the next value; surplus values are left out.
 [[nodiscard]] std::string text(Text id, language::Tongue tongue, std::initializer_list<std::string_view> values);
 
-/// The title on the monitor: "AUTOMAT", "EINGABEMODUS", …; empty for the menu.
-[[nodiscard]] std::string_view title_of(Mode mode, language::Tongue tongue);
-
-/// The label of the key on the original keyboard (D-08): "SPEICHER LÖSCHEN", "→", "C", "+/-".
-[[nodiscard]] std::string_view label_of(Key key);
-
 }  // namespace cnclab::panel
