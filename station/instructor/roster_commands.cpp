@@ -31,6 +31,8 @@ void add_student_set(CommandTable& student) {
   const auto language = value<std::string>();
   auto& set =
       student.add("set", "sets model and language from the next log-in on; lab: as the lab has them", [=](Command& c) {
+        if (model->empty() && language->empty())
+          throw CLI::ValidationError("student set", "--model or --language is needed, or both");
         auto* request = c.request.mutable_student_set();
         request->set_name(*name);
         request->set_model(*model);
@@ -39,7 +41,6 @@ void add_student_set(CommandTable& student) {
   needed(set, "name", name, "login name");
   set.add_option("--model", *model, "model of the control")->check(CLI::IsMember({"3300", "3250", "lab"}));
   set.add_option("--language", *language, "language")->check(CLI::IsMember({"de", "en", "lab"}));
-  set.require_option(2, 0);  // the name and at least one of them
 }
 
 void add_roster(CommandTable& table) {

@@ -204,6 +204,7 @@ INSTANTIATE_TEST_SUITE_P(
                     BadRow{"unknown role", {"student", "add", "a", "--role", "king"}, "king"},
                     BadRow{"input 9", {"input", "9", "on"}, "9"}, BadRow{"input ein", {"input", "0", "ein"}, "ein"},
                     BadRow{"missing file", {"program", "send", "/nowhere", "a"}, "/nowhere"},
+                    BadRow{"nothing to set", {"student", "set", "anna"}, "--model or --language is needed"},
                     BadRow{"all and names", {"program", "send", tape(), "a", "--all"}, "all"},
                     BadRow{"program 12345", {"program", "show", "a", "12345"}, "12345"},
                     BadRow{"machine data are sent by no tape", {"program", "collect", "/tmp", "MD"}, "MD"},
