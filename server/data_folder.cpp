@@ -107,9 +107,9 @@ std::expected<DataFolder, std::string> open_data_folder(const fs::path& folder) 
   if (!certificate) return std::unexpected(certificate.error());
   lab::Inheritance inheritance;
   inheritance.newest_epoch = lab::Epoch{number_of(database->value("epoch"))};
-  inheritance.machine_data = lab::machine_data_of(database->machine_data(db::kLabMachine));
-  inheritance.tools = database->value("tools").value_or("");
-  inheritance.workpiece_mm = workpiece_of(database->value("workpiece"));
+  inheritance.machine.data = lab::machine_data_of(database->machine_data(db::kLabMachine));
+  inheritance.machine.tools = database->value("tools").value_or("");
+  inheritance.machine.workpiece_mm = workpiece_of(database->value("workpiece"));
   inheritance.database = folder / kDatabase;
   auto first_password = make_first_instructor(*database);
   return DataFolder{std::move(*database), *certificate, inheritance, std::move(first_password)};

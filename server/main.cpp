@@ -110,11 +110,11 @@ std::expected<SerialLines, std::string> listen_for_lines(asio::io_context& loop,
 
 void serve_lines(SerialLines& lines, asio::io_context& loop, const std::string& device, lab::Lab& lab) {
   if (lines.listener) {
-    lines.listener->serve(lab);
+    lines.listener->serve(lab.lines());
     spdlog::info("dnc: listening {} {}", lines.listener->address(), lines.listener->is_plain() ? "plain" : "TLS");
   }
   if (device.empty()) return;
-  lines.device = std::make_shared<net::SerialDevice>(loop, device, lab);
+  lines.device = std::make_shared<net::SerialDevice>(loop, device, lab.lines());
   lines.device->start();
 }
 

@@ -28,6 +28,14 @@ Clock system_clock() {
   };
 }
 
+panel::Now control_time(const Clock& clock, std::string_view kind, std::int64_t switched_on_ns) {
+  const std::int64_t now_ns = clock.monotonic_ns();
+  if (kind == "host") return {now_ns, wall_clock(clock.unix_ms())};
+  // 00:00:00 with date 00/00/00, which never changes until it is set (D-33).
+  const auto seconds = static_cast<int>((now_ns - switched_on_ns) / 1'000'000'000 % 86'400);
+  return {now_ns, {seconds / 3600, seconds / 60 % 60, seconds % 60, 0, 0, 0}};
+}
+
 panel::WallClock wall_clock(std::int64_t unix_ms) {
   const std::tm time = local_time(unix_ms);
   return {time.tm_hour, time.tm_min, time.tm_sec, time.tm_mday, time.tm_mon + 1, time.tm_year % 100};

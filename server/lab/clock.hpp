@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <string_view>
 
 #include "panel/control.hpp"
 
@@ -16,6 +17,11 @@ struct Clock {
 
 /// The clocks of this computer.
 [[nodiscard]] Clock system_clock();
+
+/// The clocks as a control has them (DEC-10).
+/// kind              "host": the server's local time; "original": as after switching on
+/// switched_on_ns   when that control was
+[[nodiscard]] panel::Now control_time(const Clock& clock, std::string_view kind, std::int64_t switched_on_ns);
 
 /// The server's local time for the header line (DEC-10).
 [[nodiscard]] panel::WallClock wall_clock(std::int64_t unix_ms);

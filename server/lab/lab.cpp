@@ -21,8 +21,7 @@ constexpr std::int64_t kLoginDeadline_ns = 10 * kSecond_ns;  ///< SEC-005
 constexpr std::int64_t kSilence_ns = 5 * kSecond_ns;         ///< SEAT-004
 constexpr std::size_t kMostUnknown = 64;                     ///< connections that are not logged in (SEC-005)
 
-constexpr std::size_t kMostUnwritten = 10'000;  ///< journal entries that wait for a disk with room
-constexpr int kRunsKept = 1000;                 ///< of each person
+constexpr int kRunsKept = 1000;  ///< of each person
 
 AuthorityRules rules_of(const Configuration& configuration) {
   AuthorityRules rules;
@@ -30,24 +29,6 @@ AuthorityRules rules_of(const Configuration& configuration) {
   rules.silence_manual_ns = configuration.silence_manual_ms * 1'000'000LL;
   rules.silence_lease_ns = configuration.silence_lease_ms * 1'000'000LL;
   return rules;
-}
-
-std::array<double, 3> workpiece_of(const Configuration& configuration) {
-  return {configuration.size_mm.at(0), configuration.size_mm.at(1), configuration.size_mm.at(2)};
-}
-
-/// Bits of cards 1 and 2 from numbers such as 11 (card 1, line 1) and 28.
-std::array<std::uint8_t, 2> output_lines(const std::vector<int>& numbers) {
-  std::array<std::uint8_t, 2> cards{};
-  for (const int number : numbers)
-    cards.at(static_cast<std::size_t>(number / 10 - 1)) |= static_cast<std::uint8_t>(1U << (number % 10 - 1));
-  return cards;
-}
-
-/// Steps per mm of X, Y, Z.
-std::array<double, 3> zero_scale(const machine::MachineData& data) {
-  const auto per_mm = machine::motion_limits(data).steps_per_mm;
-  return {per_mm[0], per_mm[1], per_mm[2]};
 }
 
 }  // namespace
@@ -62,32 +43,19 @@ Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& tic
       passwords_(post_),
       authority_(rules_of(configuration_), inheritance.newest_epoch),
       kept_epoch_(static_cast<std::uint64_t>(inheritance.newest_epoch)),
-      machine_data_(inheritance.machine_data),
-      tools_(inheritance.tools),
-      workpiece_mm_(inheritance.workpiece_mm.value_or(workpiece_of(configuration_))),
       backup_(inheritance.database, post_),
-      site_(workpieces_.add(workpiece())),
-      machine_(machine_data_),
-      channel_(std::make_shared<machine::Channel>(machine_, machine_data_)),
-      watchdog_(ticks, ticks.is_real_time() ? machine::Watchdog::kLimit : machine::Watchdog::kPatientLimit),
-      zeros_(zero_scale(machine_data_)),
-      recorder_(store, channel_, RunRecorder::Keeps::trace) {
-  use_tools(tools_);
-  channel_->feed_cuts(&site_->feed());
-  channel_->set_outputs_off_at_power_off(output_lines(configuration_.outputs_off_at_power_off));
-  if (!ticks_.add(channel_)) throw std::runtime_error("the tick has no place for the lab's machine");
-  watchdog_.guard(channel_);
-  remote_.fill(configuration_.remote);
+      journal_(store_, clock_),
+      machine_(configuration_, store, ticks, workpieces_, inheritance.machine),
+      lines_(configuration_, clock_, journal_, seats_) {
   beats_.advance(clock_.monotonic_ns());
   keep_epoch();
-  write_journal("server_start", "nobody has control, position unreferenced");  // AUTH-012
+  journal_.write("server_start", "nobody has control, position unreferenced");  // AUTH-012
 }
 
 Lab::~Lab() {
   *alive_ = false;
-  for (const auto& [id, desk] : desks_) desk->leave_machines();
-  desks_.clear();
-  ticks_.remove(channel_);
+  for (const DeskPtr& desk : seats_.all()) desk->leave_machines();
+  seats_.clear();
 }
 
 std::shared_ptr<Visit> Lab::welcome(std::shared_ptr<Peer> peer) {
@@ -163,13 +131,7 @@ void Lab::poll() {
   heed_watchdog();
   static_cast<void>(decide(Polled{}, configuration_.tongue));
   settle_machine_data();
-  const std::vector<DeskPtr> desks = [this] {
-    std::vector<DeskPtr> all;
-    all.reserve(desks_.size());
-    for (const auto& [id, desk] : desks_) all.push_back(desk);
-    return all;
-  }();
-  for (const DeskPtr& desk : desks) {
+  for (const DeskPtr& desk : seats_.list()) {
     if (panel::Outcome followed = desk->control.poll(now(*desk)); followed.is_anything())
       outcome(desk, std::move(followed), 0);
     watch_media(desk, now_ns);
@@ -180,10 +142,10 @@ void Lab::poll() {
     if (!desk->is_seated() && now_ns >= desk->keep_until_ns) dismiss(desk);
     if (now_ns - desk->last_saved_ns >= 10 * kSecond_ns) save_state(desk);
   }
-  follow_lines(now_ns);
+  lines_.follow(now_ns);
   draw_due(now_ns);
   watch_connections(now_ns);
-  if (now_ns - journal_flushed_ns_ >= kSecond_ns / 5) flush_journal();
+  journal_.flush_when_due();
   keep_house(now_ns);
 }
 
@@ -218,38 +180,18 @@ void Lab::send_beat(const VisitPtr& visit) {
 void Lab::release_machine() { static_cast<void>(decide(ReleaseIt{true}, configuration_.tongue)); }
 
 void Lab::close() {
-  write_journal("server_end", "");
+  journal_.write("server_end", "");
   const std::vector<VisitPtr> visits = visits_;
   for (const VisitPtr& visit : visits) {
     if (visit->desk) save_state(visit->desk);
     farewell(visit, 10, say(tongue_of(visit->person), "Der Server wird beendet.", "The server is shutting down."));
   }
-  recorder_.end("server_end");
-  for (const auto& [id, desk] : desks_) desk->recorder->end("server_end");
-  flush_journal();
+  machine_.recorder().end("server_end");
+  for (const DeskPtr& desk : seats_.all()) desk->recorder->end("server_end");
+  journal_.flush();
 }
 
 bool Lab::at_rest() const { return machine_view().at_rest(); }
-
-void Lab::write_journal(std::string kind, std::string detail, int station, std::string person, Epoch lease) {
-  journal_.push_back({clock_.unix_ms(), station, std::move(person), std::move(kind), std::move(detail),
-                      static_cast<std::uint64_t>(lease)});
-}
-
-void Lab::flush_journal() {
-  journal_flushed_ns_ = clock_.monotonic_ns();
-  if (journal_.empty()) return;
-  const auto entries = std::make_shared<const std::vector<db::JournalEntry>>(std::exchange(journal_, {}));
-  store_.run([entries](db::Database& database) { database.add_journal(*entries); },
-             [this, entries, alive = alive_](const std::expected<void, db::StoreError>& result) {
-               if (result || !*alive) return;
-               spdlog::error("journal: {}", result.error().detail);
-               // Written with the next ones, when there is room again (STO-009); the oldest go first where it lasts.
-               const std::size_t room = kMostUnwritten - std::min(kMostUnwritten, journal_.size());
-               const auto kept = static_cast<std::ptrdiff_t>(std::min(entries->size(), room));
-               journal_.insert(journal_.begin(), entries->end() - kept, entries->end());
-             });
-}
 
 void Lab::keep_house(std::int64_t now_ns) {
   constexpr std::int64_t kHour_ns = 3600 * kSecond_ns;
@@ -268,14 +210,6 @@ void Lab::keep_house(std::int64_t now_ns) {
       [](const std::expected<void, db::StoreError>& result) {
         if (!result) spdlog::error("housekeeping: {}", result.error().text);
       });
-}
-
-std::string Lab::say(language::Tongue tongue, const char* german, const char* english) const {
-  return tongue == language::Tongue::german ? german : english;
-}
-
-std::string Lab::sentence_for(const db::StoreError& error, language::Tongue tongue) {
-  return std::string(db::explain(error.kind, tongue == language::Tongue::german ? "de" : "en"));
 }
 
 language::Tongue Lab::tongue_of(const db::Person& person) const {

@@ -1,18 +1,15 @@
 // The lab: connections, seats, controls, the selector and the machine, on one thread.
 //
 //   net ── welcome, receive, lost ──▶ Lab ──▶ Desk (Control) ──▶ training channel
-//                                      │ └──▶ Authority ──▶ lab channel
+//                                      │ └──▶ Authority ──▶ LabMachine (channel)
 //                                      └──▶ Store, PasswordWorker (their answers come back through `post`)
 //
 // Everything here runs on the lab thread; nothing waits. `poll` is called every 10 ms.
 #pragma once
 
-#include <array>
 #include <cstdint>
-#include <expected>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -25,21 +22,16 @@
 #include "lab/beats.hpp"
 #include "lab/clock.hpp"
 #include "lab/configuration.hpp"
-#include "lab/desk.hpp"
+#include "lab/journal_book.hpp"
+#include "lab/lab_machine.hpp"
 #include "lab/login_guard.hpp"
 #include "lab/media/cassettes.hpp"
-#include "lab/media/dnc_line.hpp"
+#include "lab/media/serial_lines.hpp"
 #include "lab/passwords.hpp"
-#include "lab/runs/run_recorder.hpp"
+#include "lab/seats.hpp"
+#include "lab/sentences.hpp"
 #include "lab/visit.hpp"
 #include "lab/worker_thread.hpp"
-#include "machine/simulated_machine.hpp"
-#include "machine/tick_thread.hpp"
-#include "machine/tool_list.hpp"
-#include "machine/watchdog.hpp"
-#include "machine/workpiece_thread.hpp"
-#include "machine/zero_book.hpp"
-#include "transfer/binding_line.hpp"
 
 namespace cnclab::v1 {
 class ClientMessage;
@@ -52,10 +44,8 @@ namespace cnclab::lab {
 
 /// What a lab takes over from the database when it starts.
 struct Inheritance {
-  Epoch newest_epoch{};               ///< AUTH-002: numbers only grow, over restarts too
-  machine::MachineData machine_data;  ///< the lab machine's
-  std::string tools;                  ///< the lab machine's tool list as a tape with P0000, empty: none (DEC-29)
-  std::optional<std::array<double, 3>> workpiece_mm;  ///< as the instructor set it last; else the configuration's
+  Epoch newest_epoch{};  ///< AUTH-002: numbers only grow, over restarts too
+  MachineInheritance machine;
   std::filesystem::path database;  ///< the file, for backups while the lab works; empty: none are made
 };
 
@@ -75,22 +65,8 @@ class Lab {
   /// The connection is closed.
   void lost(const std::shared_ptr<Visit>& visit);
 
-  // Serial lines (lab_dnc.cpp, interfaces.md section 8)
-  using LinePtr = std::shared_ptr<DncLine>;
-  /// The first line of a TCP connection: it becomes the line of that station's login.
-  /// errors   why not, for the log; journalled
-  [[nodiscard]] std::expected<LinePtr, std::string> bind_line(const std::shared_ptr<LinePeer>& peer,
-                                                              const transfer::Binding& binding);
-  /// A connection ended before it was bound; journalled.
-  void refuse_line(const std::string& address, const std::string& why);
-  /// The serial device was opened: it belongs to whoever sits at its station.
-  [[nodiscard]] LinePtr attach_device(const std::shared_ptr<LinePeer>& peer);
-  /// Returns how many characters were taken; the others are to be brought again when there is room.
-  [[nodiscard]] std::size_t line_received(const LinePtr& line, std::string_view bytes);
-  /// Has everything that was received had its effect, and everything that is to be sent left the control?
-  [[nodiscard]] bool is_line_idle(const LinePtr& line) const;
-  /// The connection is closed, the device is gone.
-  void line_lost(const LinePtr& line);
+  /// For those who carry the bytes of serial lines.
+  [[nodiscard]] SerialLines& lines() { return lines_; }
 
   /// The time passed.
   void poll();
@@ -115,14 +91,9 @@ class Lab {
   /// The newest beat at once, to who may press START next: those without the machine hear one in a second only, and a
   /// START in answer to that one would be too old (AUTH-008).
   void send_beat(const VisitPtr& visit);
-  void write_journal(std::string kind, std::string detail, int station = 0, std::string person = {}, Epoch lease = {});
-  void flush_journal();
   /// Forgets what is older than the configuration keeps it: journal, people long off the roster.
   void keep_house(std::int64_t now_ns);
-  [[nodiscard]] std::string say(language::Tongue tongue, const char* german, const char* english) const;
   [[nodiscard]] language::Tongue tongue_of(const db::Person& person) const;
-  /// What the screen that wanted to store says (STO-009).
-  [[nodiscard]] static std::string sentence_for(const db::StoreError& error, language::Tongue tongue);
 
   // lab_login.cpp
   void greet(const VisitPtr& visit, const v1::ClientMessage& message);
@@ -139,8 +110,6 @@ class Lab {
   void vacate(const VisitPtr& visit, const std::string& why);   ///< the desk stays for a while
   void log_out(const VisitPtr& visit, const std::string& why);  ///< the desk goes
   void dismiss(const DeskPtr& desk);
-  [[nodiscard]] DeskPtr seated_at(int station) const;
-  [[nodiscard]] DeskPtr desk_of(db::PersonId person) const;
 
   // lab_keys.cpp
   void take_key(const VisitPtr& visit, const v1::KeyEvent& event);
@@ -157,12 +126,6 @@ class Lab {
   void save_state(const DeskPtr& desk);
 
   // lab_dnc.cpp
-  [[nodiscard]] panel::LineFitting line_fitting(const Desk& desk) const;
-  void fit_line(Desk& desk, bool is_new_login);  ///< when somebody sits down
-  void set_remote(int station, bool is_on, const std::string& who);
-  void connect_line(DncLine& line, const DeskPtr& desk);  ///< nullptr: to nobody
-  void cut_lines_of(const Desk& desk);
-  void follow_lines(std::int64_t now_ns);
   void judge_remote_start(const DeskPtr& desk, const panel::RemoteStart& start);
 
   // lab_labor.cpp
@@ -231,31 +194,27 @@ class Lab {
   [[nodiscard]] DeskPtr shown_to(const Desk& desk) const;
   [[nodiscard]] DeskPtr typed_at(const Visit& visit) const;  ///< own seat, or the keyboard taken over
 
-  // lab_machine.cpp
+  // lab_authority.cpp
   /// Returns the reason of a refusal, empty if none.
   std::string decide(const Event& event, language::Tongue tongue);
   void carry_out(const Action& action);
   void connect_lab_machine(LoginId login);
   void disconnect_lab_machine();
   [[nodiscard]] MachineView machine_view() const;
+  void heard(const VisitPtr& visit, std::uint64_t beat);
   /// The beat stood still and the watchdog has cut the current: the machine stays off until power-on.
   void heed_watchdog();
-  /// New data of the machine hold while nobody has it and it stands still; where that is not now, as soon as it is.
-  void use_machine_data(const machine::MachineData& data);
+  /// New data of the machine hold while nobody has it and it stands still.
   void settle_machine_data();
-  /// On the lab machine and on every training machine (DEC-24).
-  void use_workpiece(const std::array<double, 3>& size_mm);
-  [[nodiscard]] machine::WorkpieceSpec workpiece() const;
-  /// The tape text of P0000 as the machine's list (DEC-29).
-  void use_tools(const std::string& tape);
-  /// Whatever the tools did wrong: told to the student, written down, counted as an error.
-  void tell_milling(const DeskPtr& desk);
-  void tell_milling(const DeskPtr& desk, const std::vector<machine::MillingEvent>& news, Epoch lease);
-  void heard(const VisitPtr& visit, std::uint64_t beat);
   void keep_epoch();
+
+  // lab_runs.cpp
   /// Begins, follows and ends the record of what the desk's control runs.
   void record_run(const DeskPtr& desk);
   void end_recording(const DeskPtr& desk, RunRecorder& recorder, machine::StopCause cause);
+  /// Whatever the tools did wrong: told to the student, written down, counted as an error.
+  void tell_milling(const DeskPtr& desk);
+  void tell_milling(const DeskPtr& desk, const std::vector<machine::MillingEvent>& news, Epoch lease);
 
   // lab_screens.cpp
   void draw_due(std::int64_t now_ns);
@@ -279,37 +238,21 @@ class Lab {
   WorkerThread pictures_;    ///< test runs of GRAFIK, portion by portion in turn; printed pages
   WorkerThread background_;  ///< replays, the printer
   LoginGuard guard_;
-  LoginGuard line_guard_;  ///< of serial lines: their wrong tokens delay no login
   Beats beats_;
   Authority authority_;
   std::uint64_t kept_epoch_;  ///< numbers up to this one are reserved in the database
-  machine::MachineData machine_data_;
-  std::string tools_;  ///< tape text
-  machine::ToolList tool_list_;
-  std::array<double, 3> workpiece_mm_;
   BackupCopy backup_;
+  JournalBook journal_;
   machine::WorkpieceThread workpieces_;
-  std::shared_ptr<machine::MillingSite> site_;  ///< the lab machine's
-  machine::SimulatedMachine machine_;
-  std::shared_ptr<machine::Channel> channel_;
-  machine::Watchdog watchdog_;
-  std::uint64_t stalls_heeded_ = 0;
-  std::optional<machine::MachineData> machine_data_due_;
-  machine::ZeroBook zeros_;
-  RunRecorder recorder_;
+  LabMachine machine_;
   std::vector<VisitPtr> visits_;
-  std::map<db::PersonId, DeskPtr> desks_;
-  std::weak_ptr<Desk> lab_desk_;            ///< whose control is connected to the lab machine
-  std::vector<std::weak_ptr<Desk>> hands_;  ///< raised hands in order (INS-006)
-  std::set<db::PersonId> locked_;           ///< whose keyboards are locked, wherever they sit (SEC-007)
-  int shown_station_ = 0;                   ///< whose screen all see, 0 nobody's (INS-002)
-  std::vector<LinePtr> lines_;
-  std::array<bool, 16> remote_{};  ///< the REMOTE switch of each station, from 1
+  Seats seats_;
+  std::weak_ptr<Desk> lab_desk_;   ///< whose control is connected to the lab machine
+  std::set<db::PersonId> locked_;  ///< whose keyboards are locked, wherever they sit (SEC-007)
+  int shown_station_ = 0;          ///< whose screen all see, 0 nobody's (INS-002)
+  SerialLines lines_;
   std::uint64_t logins_ = 0;
-  std::vector<db::JournalEntry> journal_;
-  std::int64_t journal_flushed_ns_ = 0;
   std::int64_t house_kept_ns_ = 0;  ///< 0: not yet
-  std::int64_t screens_changed_ns_ = 0;
   int drawn_second_ = -1;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< late answers of other threads find it gone
 };

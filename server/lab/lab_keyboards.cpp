@@ -76,7 +76,7 @@ Lab::DeskPtr Lab::shown_to(const Desk& desk) const {
   const bool has_machine =
       desk.on_lab_machine ||
       (desk.login != kNoLogin && (desk.login == authority_.holder() || desk.login == authority_.asked()));
-  return has_machine ? nullptr : seated_at(shown_station_);
+  return has_machine ? nullptr : seats_.at(shown_station_);
 }
 
 Lab::DeskPtr Lab::typed_at(const Visit& visit) const { return visit.desk ? visit.desk : visit.keyboard.lock(); }

@@ -65,8 +65,8 @@ void Lab::take_input(const VisitPtr& visit, Input input) {
   if (by_console) input.number = 0;
   if (input.pressed && !input.keys.empty() && !input.is_repeat) {
     desk->last_key = std::string(name_of(input.keys.front()));
-    write_journal("key", by_console ? desk->last_key + " (" + visit->person.name + ")" : desk->last_key, desk->station,
-                  desk->person.name);
+    journal_.write("key", by_console ? desk->last_key + " (" + visit->person.name + ")" : desk->last_key, desk->station,
+                   desk->person.name);
   }
   if (take_urgent(desk, input)) {
     // Acts whatever else holds.
@@ -128,11 +128,7 @@ void Lab::act(const DeskPtr& desk, const Input& input) {
   const Key key = input.keys.front();
   if (takes_for_menu(*desk, key)) return labor_key(desk, key);
   if (key == Key::MELDUNG) {
-    const auto raised = std::ranges::find_if(hands_, [&](const auto& hand) { return hand.lock() == desk; });
-    if (raised == hands_.end())
-      hands_.push_back(desk);
-    else
-      hands_.erase(raised);
+    seats_.turn_hand(desk);
     return everybody_changed();
   }
   if (is_start_command(input)) return start_pressed(desk, input);
@@ -152,8 +148,8 @@ void Lab::start_pressed(const DeskPtr& desk, const Input& input) {
                     authority_.halted_by() +
                     say(tongue_of(desk->person), ": erst lösen, dann START.", ": release it, then START."));
   if (desk->on_lab_machine && !is_fresh(*desk, input)) {
-    write_journal("start_refused", "pressed before the present situation was seen", desk->station, desk->person.name,
-                  authority_.newest());
+    journal_.write("start_refused", "pressed before the present situation was seen", desk->station, desk->person.name,
+                   authority_.newest());
     return note(*desk, say(tongue_of(desk->person), "START kam zu spät und gilt nicht: bitte noch einmal drücken.",
                            "START came too late and does not count: please press it again."));
   }
@@ -167,7 +163,7 @@ bool Lab::is_fresh(const Desk& desk, const Input& input) const {
 
 void Lab::outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t number) {
   desk->is_dirty = true;
-  for (const std::string& news : outcome.line_news) write_journal("dnc", news, desk->station, desk->person.name);
+  for (const std::string& news : outcome.line_news) journal_.write("dnc", news, desk->station, desk->person.name);
   if (outcome.store)
     store(desk, std::move(*outcome.store), number, outcome.is_from_line ? kLineAuthor : desk->person.name);
   if (outcome.media) order_media(desk, std::move(*outcome.media), MediaOrder::From::control);
@@ -181,7 +177,7 @@ void Lab::outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t num
 
 void Lab::store(const DeskPtr& desk, panel::StoreRequest request, std::uint64_t number, const std::string& author) {
   desk->storing = number;
-  write_journal("program", change_text(request), desk->station, desk->person.name);
+  journal_.write("program", change_text(request), desk->station, desk->person.name);
   store_.run(
       [id = desk->person.id, request = std::move(request), by = db::Author{author, desk->station, clock_.unix_ms()}](
           db::Database& database) { lab::carry_out(database, id, request, by); },

@@ -63,7 +63,7 @@ void Lab::greet(const VisitPtr& visit, const v1::ClientMessage& message) {
     for (int station = StationId::kFirst; station <= StationId::kLast; ++station) {
       auto& seat = *welcome.add_seats();
       seat.set_station(static_cast<std::uint32_t>(station));
-      seat.set_is_free(!seated_at(station));
+      seat.set_is_free(!seats_.at(station));
     }
     visit->peer->send(answer);
     if (!known) return hang_up(visit, "protocol version " + std::to_string(hello.version()));
@@ -114,8 +114,8 @@ void Lab::password_checked(const VisitPtr& visit, const std::optional<db::Person
   sodium_memzero(typed.data(), typed.size());
   if (!fits || !person) {
     guard_.failed(visit->login.user(), visit->peer->address(), clock_.monotonic_ns());
-    write_journal("login_refused", visit->peer->address(), static_cast<int>(visit->login.station()),
-                  visit->login.user());
+    journal_.write("login_refused", visit->peer->address(), static_cast<int>(visit->login.station()),
+                   visit->login.user());
     return refuse(visit, v1::LOGIN_RESULT_REFUSED,
                   say(configuration_.tongue, "Name oder Passwort ist falsch.", "Name or password is wrong."));
   }
@@ -159,7 +159,7 @@ void Lab::admit(const VisitPtr& visit) {
   message.mutable_login()->set_station(visit->login.station());
   message.mutable_login()->set_language(tongue_of(visit->person) == language::Tongue::german ? "de" : "en");
   visit->peer->send(message);
-  write_journal("login", visit->peer->address(), static_cast<int>(visit->login.station()), visit->person.name);
+  journal_.write("login", visit->peer->address(), static_cast<int>(visit->login.station()), visit->person.name);
   everybody_changed();
 }
 
@@ -169,8 +169,8 @@ void Lab::admit_station(const VisitPtr& visit) {
   if (!station)
     return refuse(visit, v1::LOGIN_RESULT_NOT_ALLOWED,
                   say(tongue, "Plätze haben die Nummern 1 bis 15.", "Stations have the numbers 1 to 15."));
-  const DeskPtr mine = desk_of(visit->person.id);
-  if (const DeskPtr other = seated_at(station->number()); other && other != mine) {
+  const DeskPtr mine = seats_.of(visit->person.id);
+  if (const DeskPtr other = seats_.at(station->number()); other && other != mine) {
     auto message = answer_with(
         v1::LOGIN_RESULT_SEAT_TAKEN,
         say(tongue, "An diesem Platz sitzt schon ", "This station is taken by ") + other->person.name + ".");
@@ -223,10 +223,10 @@ void Lab::load_desk(const VisitPtr& visit) {
                if (!*alive || visit->stage != Stage::checking) return;
                if (!stored)
                  return refuse(visit, v1::LOGIN_RESULT_REFUSED, sentence_for(stored.error(), tongue_of(visit->person)));
-               if (desk_of(visit->person.id)) return admit_station(visit);  // the same student was faster elsewhere
+               if (seats_.of(visit->person.id)) return admit_station(visit);  // the same student was faster elsewhere
                const auto& person = visit->person;
                panel::Settings settings = settings_for(configuration_, person, tongue_of(person));
-               settings.workpiece = workpiece();
+               settings.workpiece = machine_.workpiece();
                settings.long_work = [this](std::function<void()> job) { long_work_.enqueue(std::move(job)); };
                settings.picture_work = [this](std::function<void()> job) { pictures_.enqueue(std::move(job)); };
                const auto desk = std::make_shared<Desk>(
@@ -237,7 +237,7 @@ void Lab::load_desk(const VisitPtr& visit) {
                desk->made_ns = clock_.monotonic_ns();
                desk->saved_state = stored->state;
                take_up_cassettes(desk, stored->cassettes);
-               desks_[person.id] = desk;
+               seats_.add(desk);
                admit_station(visit);
              });
 }
@@ -252,18 +252,19 @@ void Lab::restore_machine_data(const DeskPtr& desk) {
 }
 
 void Lab::resume(const VisitPtr& visit, const v1::Resume& resume) {
-  const auto found = std::ranges::find_if(desks_, [&](const auto& entry) {
-    const std::string& ticket = entry.second->ticket;
+  const auto desks = seats_.all();
+  const auto found = std::ranges::find_if(desks, [&](const DeskPtr& desk) {
+    const std::string& ticket = desk->ticket;
     return !ticket.empty() && ticket.size() == resume.ticket().size() &&
            sodium_memcmp(ticket.data(), resume.ticket().data(), ticket.size()) == 0;
   });
-  if (visit->kind != v1::CLIENT_KIND_STATION || found == desks_.end())
+  if (visit->kind != v1::CLIENT_KIND_STATION || found == desks.end())
     return refuse(visit, v1::LOGIN_RESULT_TICKET_VOID,
                   say(configuration_.tongue, "Bitte neu anmelden.", "Please log in again."));
-  const DeskPtr desk = found->second;
+  const DeskPtr desk = *found;
   visit->person = desk->person;
   visit->has_media = resume.has_media();
-  if (const DeskPtr other = seated_at(desk->station); other && other != desk) {
+  if (const DeskPtr other = seats_.at(desk->station); other && other != desk) {
     auto message = answer_with(v1::LOGIN_RESULT_SEAT_TAKEN, say(tongue_of(desk->person), "An diesem Platz sitzt jetzt ",
                                                                 "This station is now taken by ") +
                                                                 other->person.name + ".");
@@ -290,7 +291,7 @@ void Lab::sit_down(const VisitPtr& visit, const DeskPtr& desk, int station) {
   if (desk->storing) desk->storing = 0;  // an input of the former connection: nothing to acknowledge here
   desk->labor.reset();
   desk->is_dirty = true;
-  fit_line(*desk, !visit->login.user().empty());  // a reconnect has no login of its own: its token stays
+  lines_.fit(*desk, !visit->login.user().empty());  // a reconnect has no login of its own: its token stays
   auto message = answer_with(v1::LOGIN_RESULT_OK, "");
   auto& login = *message.mutable_login();
   login.set_user(desk->person.name);
@@ -300,7 +301,7 @@ void Lab::sit_down(const VisitPtr& visit, const DeskPtr& desk, int station) {
   login.set_language(tongue_of(desk->person) == language::Tongue::german ? "de" : "en");
   visit->peer->send(message);
   send_beat(visit);
-  write_journal("login", visit->peer->address(), station, desk->person.name);
+  journal_.write("login", visit->peer->address(), station, desk->person.name);
   store_.run(
       [id = desk->person.id, time = clock_.unix_ms()](db::Database& database) { database.set_last_seen(id, time); },
       [](const std::expected<void, db::StoreError>&) {});
@@ -324,15 +325,15 @@ void Lab::vacate(const VisitPtr& visit, const std::string& why) {
   static_cast<void>(decide(LoggedOut{desk->login, why}, configuration_.tongue));
   desk->login = kNoLogin;
   desk->stop_training();
-  cut_lines_of(*desk);
+  lines_.cut_of(*desk);
   for (const auto& order : desk->media)
     if (order->transfer) order->transfer->pause();  // begins anew when the line is back
   desk->waiting.clear();
   desk->keep_until_ns = clock_.monotonic_ns() + configuration_.keep_minutes * 60'000'000'000LL;
-  write_journal("left", why, desk->station, desk->person.name);
+  journal_.write("left", why, desk->station, desk->person.name);
   if (desk->station == shown_station_) show_to_all(0);
   save_state(desk);
-  std::erase_if(hands_, [&](const auto& hand) { return hand.lock() == desk; });
+  seats_.lower_hand(*desk);
   everybody_changed();
 }
 
@@ -351,19 +352,8 @@ void Lab::dismiss(const DeskPtr& desk) {
   save_state(desk);
   end_recording(desk, *desk->recorder, machine::StopCause::operator_stop);
   desk->leave_machines();
-  desks_.erase(desk->person.id);
+  seats_.remove(*desk);
   everybody_changed();
-}
-
-Lab::DeskPtr Lab::seated_at(int station) const {
-  for (const auto& [id, desk] : desks_)
-    if (desk->station == station && desk->is_seated()) return desk;
-  return nullptr;
-}
-
-Lab::DeskPtr Lab::desk_of(db::PersonId person) const {
-  const auto found = desks_.find(person);
-  return found == desks_.end() ? nullptr : found->second;
 }
 
 }  // namespace cnclab::lab

@@ -29,11 +29,10 @@ std::string Lab::metrics() const {
   const auto count = [this](auto stage) {
     return std::ranges::count_if(visits_, [&](const auto& visit) { return visit->stage == stage; });
   };
-  const auto running =
-      std::ranges::count_if(desks_, [](const auto& desk) { return desk.second->control.is_running(); });
+  const auto running = std::ranges::count_if(seats_.all(), [](const auto& desk) { return desk->control.is_running(); });
   const auto ticks = ticks_.statistics();
   const auto store = store_.counters();
-  const auto snapshot = channel_->snapshot();
+  const auto snapshot = machine_.snapshot();
   Exposition all;
   all.add("connections", "gauge", "Open connections.", visits_.size());
   all.add("stations", "gauge", "Stations where somebody is logged in.", count(Stage::at_desk));
@@ -51,7 +50,7 @@ std::string Lab::metrics() const {
   all.add("tick_longest_delay_seconds", "gauge", "The latest that a tick began.",
           static_cast<double>(ticks.longest_delay_ns) / 1e9);
   all.add("tick_stalls_total", "counter", "Times that the beat stood still and the machine's current was cut.",
-          watchdog_.stalls());
+          machine_.stalls());
   all.add("store_jobs_total", "counter", "Jobs of the store.", store.jobs);
   all.add("store_commits_total", "counter", "Commits of the store.", store.commits);
   all.add("store_failures_total", "counter", "Jobs that could not be stored.", store.failures);

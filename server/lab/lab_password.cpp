@@ -47,7 +47,7 @@ void Lab::change_own_password(const VisitPtr& visit, const v1::ChangePassword& c
     if (!fits) {
       visit->is_changing_password = false;
       guard_.failed(visit->person.name, visit->peer->address(), clock_.monotonic_ns());
-      write_journal("password_refused", visit->peer->address(), visit->desk->station, visit->person.name);
+      journal_.write("password_refused", visit->peer->address(), visit->desk->station, visit->person.name);
       return answer_password(visit, v1::LOGIN_RESULT_REFUSED,
                              say(tongue, "Das alte Passwort ist falsch.", "The old password is wrong."));
     }
@@ -83,7 +83,7 @@ void Lab::keep_password(const VisitPtr& visit, const std::string& wish, std::fun
                  }
                  visit->person.password_hash = hash;
                  visit->person.must_change = false;
-                 write_journal("password_changed", "", 0, visit->person.name);
+                 journal_.write("password_changed", "", 0, visit->person.name);
                  kept();
                });
   });

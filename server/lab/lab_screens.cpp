@@ -27,7 +27,7 @@ void Lab::draw_due(std::int64_t now_ns) {
   const int second = wall_clock(clock_.unix_ms()).second;
   const bool clock_moved = second != drawn_second_;
   drawn_second_ = second;
-  for (const auto& [id, desk] : desks_) {
+  for (const DeskPtr& desk : seats_.all()) {
     const bool is_busy = desk->control.is_busy();
     if (std::exchange(desk->was_busy, is_busy) && !is_busy) desk->is_dirty = true;  // the end shows at once
     const bool moving = is_busy && now_ns - desk->last_drawn_ns >= kRefresh_ns;
@@ -49,7 +49,7 @@ void Lab::draw(const DeskPtr& desk, std::int64_t now_ns) {
   if (desk->labor) draw_labor_menu(desk->view.screen, *desk->labor, tongue_of(desk->person), !side.notice.empty());
   present(desk, desk->control.take_beeps());
   if (desk->station == shown_station_)
-    for (const auto& [id, other] : desks_)
+    for (const DeskPtr& other : seats_.all())
       if (other != desk) present(other, 0);
   View seen = desk->view;
   seen.handled_key = 0;
@@ -87,7 +87,7 @@ void Lab::push(const VisitPtr& visit) {
 }
 
 void Lab::everybody_changed() {
-  for (const auto& [id, desk] : desks_) desk->is_dirty = true;
+  for (const DeskPtr& desk : seats_.all()) desk->is_dirty = true;
 }
 
 panel::SideView Lab::side_view(const Desk& desk, std::int64_t now_ns) const {
@@ -98,8 +98,7 @@ panel::SideView Lab::side_view(const Desk& desk, std::int64_t now_ns) const {
   side.controlling_station = authority_.selected();
   side.override_percent = desk.control.override_percent();
   side.halted_by = authority_.halted_by();
-  const auto hand = std::ranges::find_if(hands_, [&](const auto& raised) { return raised.lock().get() == &desk; });
-  if (hand != hands_.end()) side.meldung = static_cast<int>(hand - hands_.begin()) + 1;
+  side.meldung = seats_.hand_of(desk);
   side.notice = desk.notice_until_ns > now_ns ? desk.notice : bar(desk).value_or("");
   if (desk.login != kNoLogin && authority_.asked() == desk.login)
     side.notice = say(tongue_of(desk.person), "Die Lehrkraft bietet die Maschine an: START nimmt an, STOP lehnt ab.",
@@ -107,13 +106,7 @@ panel::SideView Lab::side_view(const Desk& desk, std::int64_t now_ns) const {
   return side;
 }
 
-panel::Now Lab::now(const Desk& desk) const {
-  const std::int64_t now_ns = clock_.monotonic_ns();
-  if (configuration_.clock == "host") return {now_ns, wall_clock(clock_.unix_ms())};
-  // As after switching on: 00:00:00 with date 00/00/00, which never changes until it is set (D-33).
-  const auto seconds = static_cast<int>((now_ns - desk.made_ns) / 1'000'000'000 % 86'400);
-  return {now_ns, {seconds / 3600, seconds / 60 % 60, seconds % 60, 0, 0, 0}};
-}
+panel::Now Lab::now(const Desk& desk) const { return control_time(clock_, configuration_.clock, desk.made_ns); }
 
 void Lab::note_situation(Desk& desk) {
   const panel::Situation situation = desk.control.situation();

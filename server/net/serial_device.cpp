@@ -15,8 +15,8 @@ namespace {
 constexpr std::chrono::seconds kBetweenTries{1};
 }  // namespace
 
-SerialDevice::SerialDevice(asio::io_context& loop, std::string path, lab::Lab& lab)
-    : path_(std::move(path)), lab_(lab), port_(loop), output_(loop.get_executor()), retry_(loop) {}
+SerialDevice::SerialDevice(asio::io_context& loop, std::string path, lab::SerialLines& lines)
+    : path_(std::move(path)), lines_(lines), port_(loop), output_(loop.get_executor()), retry_(loop) {}
 
 void SerialDevice::start() {
   asio::co_spawn(
@@ -80,7 +80,7 @@ asio::awaitable<void> SerialDevice::keep_open() {
 }
 
 asio::awaitable<void> SerialDevice::converse() {
-  const lab::Lab::LinePtr line = lab_.attach_device(shared_from_this());
+  const lab::SerialLines::LinePtr line = lines_.attach_device(shared_from_this());
   asio::co_spawn(
       port_.get_executor(),
       [self = shared_from_this()] {
@@ -90,13 +90,13 @@ asio::awaitable<void> SerialDevice::converse() {
         if (failure) self->close();  // the reader ends with it
       });
   try {
-    co_await read_line_bytes(port_, lab_, line);
+    co_await read_line_bytes(port_, lines_, line);
   } catch (const boost::system::system_error& error) {
     if (!is_stopped_) spdlog::warn("dnc {}: {}: opened again when it is back", path_, error.code().message());
   }
   is_missed_ = true;
   close();
-  lab_.line_lost(line);
+  lines_.lost(line);
 }
 
 }  // namespace cnclab::net

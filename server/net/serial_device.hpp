@@ -11,14 +11,14 @@
 #include <memory>
 #include <string>
 
-#include "lab/lab.hpp"
+#include "lab/media/serial_lines.hpp"
 #include "net/serial_stream.hpp"
 
 namespace cnclab::net {
 
 class SerialDevice final : public lab::LinePeer, public std::enable_shared_from_this<SerialDevice> {
  public:
-  SerialDevice(boost::asio::io_context& loop, std::string path, lab::Lab& lab);
+  SerialDevice(boost::asio::io_context& loop, std::string path, lab::SerialLines& lines);
 
   /// Opens it now, and every second again until it is there.
   void start();
@@ -38,7 +38,7 @@ class SerialDevice final : public lab::LinePeer, public std::enable_shared_from_
   void close();
 
   std::string path_;
-  lab::Lab& lab_;
+  lab::SerialLines& lines_;
   boost::asio::serial_port port_;
   SerialOutput output_;
   boost::asio::steady_timer retry_;

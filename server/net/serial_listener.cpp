@@ -44,9 +44,9 @@ class Unbound {
 template <class Stream>
 class TcpLine final : public lab::LinePeer, public std::enable_shared_from_this<TcpLine<Stream>> {
  public:
-  TcpLine(Stream stream, lab::Lab& lab, std::shared_ptr<int> unbound)
+  TcpLine(Stream stream, lab::SerialLines& lines, std::shared_ptr<int> unbound)
       : stream_(std::move(stream)),
-        lab_(lab),
+        lines_(lines),
         unbound_(std::move(unbound)),
         output_(stream_.get_executor()),
         deadline_(stream_.get_executor()) {
@@ -68,7 +68,7 @@ class TcpLine final : public lab::LinePeer, public std::enable_shared_from_this<
             self->tell_end(error.what());
           }
           self->close();
-          if (self->line_) self->lab_.line_lost(std::exchange(self->line_, nullptr));
+          if (self->line_) self->lines_.lost(std::exchange(self->line_, nullptr));
         });
   }
 
@@ -98,16 +98,16 @@ class TcpLine final : public lab::LinePeer, public std::enable_shared_from_this<
       co_await stream_.async_handshake(asio::ssl::stream_base::server, use_awaitable);
     std::string read;  // the first line, and what came with it
     if (!co_await bind(read)) co_return;
-    co_await bring(lab_, line_, read);
+    co_await bring(lines_, line_, read);
     asio::co_spawn(
         stream_.get_executor(),
         [self = this->shared_from_this()] {
           return write_line_bytes(self->stream_, self->output_, [self] { return self->is_open_; });
         },
         [self = this->shared_from_this()](const std::exception_ptr&) { self->close(); });  // the reader ends with it
-    co_await read_line_bytes(stream_, lab_, line_);
+    co_await read_line_bytes(stream_, lines_, line_);
     // The sender has said all; what is on its way still arrives, and is answered.
-    while (is_open_ && (output_.unsent > 0 || !lab_.is_line_idle(line_))) co_await pause(kBetweenLooks);
+    while (is_open_ && (output_.unsent > 0 || !lines_.is_idle(line_))) co_await pause(kBetweenLooks);
     tell_end("the sender has ended");
   }
 
@@ -134,10 +134,10 @@ class TcpLine final : public lab::LinePeer, public std::enable_shared_from_this<
   std::optional<std::string> claim(const std::string& read, std::size_t length) {
     const auto binding = transfer::parse_binding(std::string_view(read).substr(0, length - 1));
     if (!binding) {
-      lab_.refuse_line(address_, std::string(binding.error()));
+      lines_.refuse(address_, std::string(binding.error()));
       return std::string(binding.error());
     }
-    auto line = lab_.bind_line(this->shared_from_this(), *binding);
+    auto line = lines_.bind(this->shared_from_this(), *binding);
     if (!line) return line.error();
     line_ = *line;
     return std::nullopt;
@@ -145,7 +145,7 @@ class TcpLine final : public lab::LinePeer, public std::enable_shared_from_this<
 
   std::string why_not(const boost::system::error_code& error) {
     std::string why = error == asio::error::not_found ? "line too long" : error.message();
-    lab_.refuse_line(address_, why);
+    lines_.refuse(address_, why);
     return why;
   }
 
@@ -156,7 +156,7 @@ class TcpLine final : public lab::LinePeer, public std::enable_shared_from_this<
 
   void give_up(const std::string& why) {
     if (!is_open_) return;
-    lab_.refuse_line(address_, why);
+    lines_.refuse(address_, why);
     spdlog::warn("dnc {}: refused: {}", address_, why);
     close();
   }
@@ -176,10 +176,10 @@ class TcpLine final : public lab::LinePeer, public std::enable_shared_from_this<
   }
 
   Stream stream_;
-  lab::Lab& lab_;
+  lab::SerialLines& lines_;
   Unbound unbound_;
   std::string address_;
-  lab::Lab::LinePtr line_;
+  lab::SerialLines::LinePtr line_;
   SerialOutput output_;
   asio::steady_timer deadline_;  ///< of handshake and first line
   bool is_open_ = true;
@@ -200,8 +200,8 @@ SerialListener::SerialListener(tcp::acceptor acceptor, const Certificate& certif
       tls_(server_context(certificate)),
       is_plain_(acceptor_.local_endpoint().address().is_loopback()) {}
 
-void SerialListener::serve(lab::Lab& lab) {
-  asio::co_spawn(acceptor_.get_executor(), accept(lab), [](const std::exception_ptr& failure) {
+void SerialListener::serve(lab::SerialLines& lines) {
+  asio::co_spawn(acceptor_.get_executor(), accept(lines), [](const std::exception_ptr& failure) {
     try {
       if (failure) std::rethrow_exception(failure);
     } catch (const std::exception& error) {  // the lab goes on without
@@ -221,7 +221,7 @@ std::string SerialListener::address() const {
   return (endpoint.address().is_v6() ? "[" + host + "]" : host) + ":" + std::to_string(endpoint.port());
 }
 
-asio::awaitable<void> SerialListener::accept(lab::Lab& lab) {
+asio::awaitable<void> SerialListener::accept(lab::SerialLines& lines) {
   while (acceptor_.is_open()) {
     boost::system::error_code error;
     tcp::socket socket = co_await acceptor_.async_accept(asio::redirect_error(use_awaitable, error));
@@ -231,9 +231,9 @@ asio::awaitable<void> SerialListener::accept(lab::Lab& lab) {
       asio::steady_timer pause(acceptor_.get_executor(), std::chrono::milliseconds(100));
       co_await pause.async_wait(use_awaitable);
     } else if (is_plain_) {
-      std::make_shared<TcpLine<tcp::socket>>(std::move(socket), lab, unbound_)->start();
+      std::make_shared<TcpLine<tcp::socket>>(std::move(socket), lines, unbound_)->start();
     } else {
-      std::make_shared<TcpLine<TlsStream>>(TlsStream(std::move(socket), tls_), lab, unbound_)->start();
+      std::make_shared<TcpLine<TlsStream>>(TlsStream(std::move(socket), tls_), lines, unbound_)->start();
     }
   }
 }

@@ -12,7 +12,7 @@
 #include <memory>
 #include <string>
 
-#include "lab/lab.hpp"
+#include "lab/media/serial_lines.hpp"
 #include "shared/tls.hpp"
 
 namespace cnclab::net {
@@ -25,7 +25,7 @@ class SerialListener {
   SerialListener(boost::asio::ip::tcp::acceptor acceptor, const Certificate& certificate);
 
   /// Accepts for `lab` from now on; both outlive the loop's work.
-  void serve(lab::Lab& lab);
+  void serve(lab::SerialLines& lines);
   /// No new connections.
   void stop();
   /// "127.0.0.1:3301" with the real port.
@@ -33,7 +33,7 @@ class SerialListener {
   [[nodiscard]] bool is_plain() const { return is_plain_; }
 
  private:
-  boost::asio::awaitable<void> accept(lab::Lab& lab);
+  boost::asio::awaitable<void> accept(lab::SerialLines& lines);
 
   boost::asio::ip::tcp::acceptor acceptor_;
   boost::asio::ssl::context tls_;

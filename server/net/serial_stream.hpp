@@ -12,7 +12,7 @@
 #include <string>
 #include <string_view>
 
-#include "lab/lab.hpp"
+#include "lab/media/serial_lines.hpp"
 
 namespace cnclab::net {
 
@@ -38,10 +38,11 @@ struct SerialOutput {
 
 /// Hands the lab what was read. What it does not take yet is kept and brought again every 10 ms; meanwhile nothing more
 /// is read, so that the sender is held back.
-inline boost::asio::awaitable<void> bring(lab::Lab& lab, const lab::Lab::LinePtr& line, std::string_view bytes) {
+inline boost::asio::awaitable<void> bring(lab::SerialLines& lines, const lab::SerialLines::LinePtr& line,
+                                          std::string_view bytes) {
   constexpr std::chrono::milliseconds kPause{10};
   while (true) {
-    bytes.remove_prefix(lab.line_received(line, bytes));
+    bytes.remove_prefix(lines.received(line, bytes));
     if (bytes.empty()) co_return;
     boost::asio::steady_timer pause(co_await boost::asio::this_coro::executor, kPause);
     co_await pause.async_wait(boost::asio::use_awaitable);
@@ -50,7 +51,7 @@ inline boost::asio::awaitable<void> bring(lab::Lab& lab, const lab::Lab::LinePtr
 
 /// Reads until the other end says that nothing more will come; every other end is an exception.
 template <class Stream>
-boost::asio::awaitable<void> read_line_bytes(Stream& stream, lab::Lab& lab, lab::Lab::LinePtr line) {
+boost::asio::awaitable<void> read_line_bytes(Stream& stream, lab::SerialLines& lines, lab::SerialLines::LinePtr line) {
   std::array<char, 512> buffer{};
   while (true) {
     boost::system::error_code error;
@@ -58,7 +59,7 @@ boost::asio::awaitable<void> read_line_bytes(Stream& stream, lab::Lab& lab, lab:
         boost::asio::buffer(buffer), boost::asio::redirect_error(boost::asio::use_awaitable, error));
     if (error == boost::asio::error::eof) co_return;
     if (error) throw boost::system::system_error(error);
-    co_await bring(lab, line, std::string_view(buffer.data(), count));
+    co_await bring(lines, line, std::string_view(buffer.data(), count));
   }
 }
 

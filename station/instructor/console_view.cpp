@@ -233,7 +233,7 @@ class Drawing {
         {"1-9 ↑ ↓ Maus  Platz wählen            s Enter  Maschine anbieten (S: mit Halt)",
          "1-9 ↑ ↓ mouse choose a seat           s Enter  offer the machine (S: stops it)"},
         {"r             zurücknehmen (R: mit Halt)    p  Antriebe stromlos, wieder ein",
-         "r             take it back (R: stops it)    p  drives without current, on again"},
+         "r             take it back (R: stops it)    p  drives without current, back on"},
         {"F12 h         MASCHINE HALT: Rampe, Spindel und Kühlmittel aus; c hebt ihn auf",
          "F12 h         MACHINE HALT: ramp, spindle and coolant off; c clears it"},
         {"w             Bild des Platzes ansehen      v  sein Bild allen zeigen, v endet",
@@ -241,7 +241,7 @@ class Drawing {
         {"t             Tastatur übernehmen, F8 gibt zurück (g: auch von hier)",
          "t             take the keyboard over, F8 gives it back (g: from here too)"},
         {"l             Tastatur sperren, freigeben   x  Platz abmelden (mit Enter)",
-         "l             lock and unlock the keyboard  x  end its connection (Enter confirms)"},
+         "l             lock and unlock the keyboard  x  end its connection (with Enter)"},
         {"m M           Nachricht an den Platz, an alle", "m M           message to the station, to all"},
         {":             jeder Befehl wie auf der Kommandozeile, zum Beispiel:",
          ":             every command as on the command line, for example:"},
@@ -256,12 +256,12 @@ class Drawing {
         {"q             Konsole beenden", "q             quit the console"},
         {"F12 und p ersetzen kein NOT-HALT: der ist ein Schalter an der Maschine.",
          "F12 and p are no emergency stop: that is a switch at the machine."},
-        {"► steuert die Maschine  ● läuft  Hand: Reihenfolge  Fehl: in der letzten Minute",
+        {"► steuert die Maschine  ● läuft  Hand: Reihenfolge  Fehl: letzte Minute",
          "► has the machine  ● runs  Hand: order of hands  Err.: in the last minute"},
         {"Jede Taste schließt diese Seite.", "Any key closes this page."},
     }};
     int row = kFirstSeatRow;
-    for (const auto& line : kLines) screen_.write(row++, 2, say(line));
+    for (const auto& line : kLines) screen_.write(row++, 1, say(line));
   }
 
   const ConsoleModel& model_;

@@ -64,6 +64,8 @@ TEST(ConsoleView, INS_001_no_row_of_keys_is_cut) {
     const Screen screen = draw_console(model).screen;
     EXPECT_THAT(trimmed(screen, 22), testing::EndsWith(language == station::Language::german ? "Befehl" : "command"));
     EXPECT_THAT(trimmed(screen, 23), testing::EndsWith(language == station::Language::german ? "Ende" : "quit"));
+    model.overlay = Overlay::help;
+    for (int row = 2; row < 18; ++row) EXPECT_EQ(draw_console(model).screen.at(row, 79).code, U' ') << row;
   }
 }
 

@@ -55,8 +55,7 @@ void Console::send_file(const Reply& reply, std::string content) const {
 
 void Console::send_file(const Reply& reply, std::shared_ptr<std::istream> content, std::uint64_t size) const {
   if (reply.visit->transfer)
-    return send_error(reply,
-                      lab_.say(reply.tongue, "Eine Übertragung läuft schon.", "A transfer is under way already."));
+    return send_error(reply, say(reply.tongue, "Eine Übertragung läuft schon.", "A transfer is under way already."));
   reply.visit->transfer = Visit::Transfer{++reply.visit->transfers, std::move(content), size, 0};
   v1::ServerMessage message;
   message.mutable_answer()->set_number(reply.number);

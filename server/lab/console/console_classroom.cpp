@@ -5,19 +5,19 @@
 namespace cnclab::lab {
 
 std::shared_ptr<Desk> Console::desk_at(const Reply& reply, std::uint32_t station) const {
-  auto desk = lab_.seated_at(static_cast<int>(station));
-  if (!desk) send_error(reply, lab_.say(reply.tongue, "Dort ist niemand angemeldet.", "Nobody is logged in there."));
+  auto desk = lab_.seats_.at(static_cast<int>(station));
+  if (!desk) send_error(reply, say(reply.tongue, "Dort ist niemand angemeldet.", "Nobody is logged in there."));
   return desk;
 }
 
 void Console::done_at(const Reply& reply, const std::shared_ptr<Desk>& desk, const std::string& what) const {
-  lab_.write_journal(what, reply.visit->person.name, desk->station, desk->person.name);
+  lab_.journal_.write(what, reply.visit->person.name, desk->station, desk->person.name);
   send_done(reply);
 }
 
 void Console::select(const Reply& reply, const v1::SelectStation& request) const {
   // A keyboard whose console is gone would leave nobody to press START.
-  const auto desk = lab_.seated_at(static_cast<int>(request.station()));
+  const auto desk = lab_.seats_.at(static_cast<int>(request.station()));
   if (desk && !desk->taken_by.empty() && desk->taker.expired()) lab_.give_back(desk);
   decided(reply, Select{static_cast<int>(request.station()), request.force()});
 }
@@ -25,21 +25,21 @@ void Console::select(const Reply& reply, const v1::SelectStation& request) const
 void Console::message(const Reply& reply, const v1::SendMessage& request) const {
   const std::string text = request.text().substr(0, 200);
   bool anybody = false;
-  for (const auto& [id, desk] : lab_.desks_) {
+  for (const auto& desk : lab_.seats_.all()) {
     if (request.station() != 0 && desk->station != static_cast<int>(request.station())) continue;
     lab_.deliver(*desk, reply.visit->person.name + ": " + text);
     anybody = true;
   }
   if (!anybody)
-    return send_error(reply, lab_.say(reply.tongue, "Dort ist niemand angemeldet.", "Nobody is logged in there."));
-  lab_.write_journal("message", text, static_cast<int>(request.station()), reply.visit->person.name);
+    return send_error(reply, say(reply.tongue, "Dort ist niemand angemeldet.", "Nobody is logged in there."));
+  lab_.journal_.write("message", text, static_cast<int>(request.station()), reply.visit->person.name);
   send_done(reply);
 }
 
 void Console::show(const Reply& reply, const v1::ShowStation& request) const {
   if (request.station() == 0) {
     lab_.show_to_all(0);
-    lab_.write_journal("show_end", "", 0, reply.visit->person.name);
+    lab_.journal_.write("show_end", "", 0, reply.visit->person.name);
     return send_done(reply);
   }
   const auto desk = desk_at(reply, request.station());
@@ -92,8 +92,8 @@ void Console::expel(const Reply& reply, const v1::StationOnly& request) const {
   lab_.vacate(visit, "expelled");
   lab_.dismiss(desk);
   lab_.farewell(visit, 9,
-                lab_.say(lab_.tongue_of(desk->person), "Die Lehrkraft hat die Verbindung beendet.",
-                         "The instructor has ended the connection."));
+                say(lab_.tongue_of(desk->person), "Die Lehrkraft hat die Verbindung beendet.",
+                    "The instructor has ended the connection."));
   done_at(reply, desk, "expelled");
 }
 

@@ -52,15 +52,15 @@ void Console::program_restore(const Reply& reply, const v1::ProgramName& request
       [reply, request](const Console& console, const db::Person& person) {
         console.lab_.reload_programs(person.id);
         const std::string what = fmt::format("P{:04} version {}", request.program(), request.version());
-        console.lab_.write_journal("program_restore", what + " (" + reply.visit->person.name + ")", 0, person.name);
+        console.lab_.journal_.write("program_restore", what + " (" + reply.visit->person.name + ")", 0, person.name);
         console.send_done(reply, what);
       });
 }
 
 void Console::machine_data_restore(const Reply& reply, const v1::ProgramName& request) const {
   if (const auto desk = lab_.lab_desk_.lock(); desk && desk->person.name == request.student())  // DEC-39
-    return send_error(reply, lab_.say(reply.tongue, "Nicht, solange dieser Platz die Maschine hat.",
-                                      "Not while that station has the machine."));
+    return send_error(reply, say(reply.tongue, "Nicht, solange dieser Platz die Maschine hat.",
+                                 "Not while that station has the machine."));
   using Restored = std::pair<db::Person, machine::MachineData>;
   ask_store(
       reply,
@@ -71,13 +71,13 @@ void Console::machine_data_restore(const Reply& reply, const v1::ProgramName& re
       },
       [reply, request](const Console& console, const Restored& restored) {
         const auto& [person, data] = restored;
-        if (const auto desk = console.lab_.desk_of(person.id)) {
+        if (const auto desk = console.lab_.seats_.of(person.id)) {
           desk->control.replace_data(data);
           desk->settle_machine_data();
           desk->is_dirty = true;
         }
         const std::string what = fmt::format("MD version {}", request.version());
-        console.lab_.write_journal("program_restore", what + " (" + reply.visit->person.name + ")", 0, person.name);
+        console.lab_.journal_.write("program_restore", what + " (" + reply.visit->person.name + ")", 0, person.name);
         console.send_done(reply, what);
       });
 }

@@ -69,13 +69,13 @@ void Console::status(const Reply& reply) const {
   status.set_lease(static_cast<double>(static_cast<std::uint64_t>(authority.newest())));
   status.set_halted_by(authority.halted_by());
   status.set_shown(static_cast<std::uint32_t>(lab_.shown_station_));
-  fill_machine(*status.mutable_machine(), lab_.channel_->snapshot(), authority);
+  fill_machine(*status.mutable_machine(), lab_.machine_.snapshot(), authority);
   const auto ticks = lab_.ticks_.statistics();
   status.mutable_ticks()->set_late(static_cast<double>(ticks.late));
   status.mutable_ticks()->set_longest_ms(static_cast<double>(ticks.longest_delay_ns) / 1e6);
-  status.mutable_ticks()->set_stalls(static_cast<double>(lab_.watchdog_.stalls()));
+  status.mutable_ticks()->set_stalls(static_cast<double>(lab_.machine_.stalls()));
   std::vector<Lab::DeskPtr> desks;
-  for (const auto& [id, desk] : lab_.desks_) desks.push_back(desk);
+  for (const auto& desk : lab_.seats_.all()) desks.push_back(desk);
   std::ranges::sort(desks, {}, [](const auto& desk) { return desk->station; });
   for (const auto& desk : desks) fill_station(*status.add_stations(), desk);
   send(reply, {item});
@@ -92,14 +92,12 @@ void Console::fill_station(v1::StationStatus& out, const std::shared_ptr<Desk>& 
   out.set_program(situation.program);
   out.set_block(situation.block);
   out.set_last_key(desk->last_key);
-  const auto hand = std::ranges::find_if(lab_.hands_, [&](const auto& raised) { return raised.lock() == desk; });
-  if (hand != lab_.hands_.end()) out.set_meldung(static_cast<std::uint32_t>(hand - lab_.hands_.begin()) + 1);
+  if (const int hand = lab_.seats_.hand_of(*desk); hand > 0) out.set_meldung(static_cast<std::uint32_t>(hand));
   out.set_locked(desk->is_locked);
   out.set_taken_by(desk->taken_by);
   out.set_remote(desk->control.is_remote());
   out.set_ram_fault(desk->control.has_ram_fault());
-  const auto line = std::ranges::find_if(lab_.lines_, [&](const auto& one) { return one->desk.lock() == desk; });
-  if (line != lab_.lines_.end()) out.set_line((*line)->peer->address());
+  if (const auto line = lab_.lines_.of(*desk)) out.set_line(line->peer->address());
   const std::int64_t a_minute_ago_ns = lab_.clock_.monotonic_ns() - kMinute_ns;
   out.set_errors_last_minute(static_cast<std::uint32_t>(
       std::ranges::count_if(desk->errors_ns, [&](std::int64_t at_ns) { return at_ns > a_minute_ago_ns; })));
@@ -115,18 +113,18 @@ void Console::input(const Reply& reply, const v1::SetInput& request) const {
   const auto number = request.input();
   const bool known = number == 0 || (number >= 11 && number <= 18) || (number >= 21 && number <= 28);
   if (!known)
-    return send_error(reply, lab_.say(reply.tongue, "Eingänge: 0, 11 bis 18 (Karte 1), 21 bis 28 (Karte 2).",
-                                      "Inputs: 0, 11 to 18 (card 1), 21 to 28 (card 2)."));
+    return send_error(reply, say(reply.tongue, "Eingänge: 0, 11 bis 18 (Karte 1), 21 bis 28 (Karte 2).",
+                                 "Inputs: 0, 11 to 18 (card 1), 21 to 28 (card 2)."));
   lab_.machine_.set_input(static_cast<int>(number / 10), static_cast<int>(number % 10), request.on());
-  lab_.write_journal("input", fmt::format("{} {}", number, request.on() ? "on" : "off"), 0, reply.visit->person.name);
+  lab_.journal_.write("input", fmt::format("{} {}", number, request.on() ? "on" : "off"), 0, reply.visit->person.name);
   send_done(reply);
 }
 
 void Console::remote(const Reply& reply, const v1::SetRemote& request) const {
   if (!StationId::of(request.station()))
-    return send_error(
-        reply, lab_.say(reply.tongue, "Plätze haben die Nummern 1 bis 15.", "Stations have the numbers 1 to 15."));
-  lab_.set_remote(static_cast<int>(request.station()), request.on(), reply.visit->person.name);
+    return send_error(reply,
+                      say(reply.tongue, "Plätze haben die Nummern 1 bis 15.", "Stations have the numbers 1 to 15."));
+  lab_.lines_.set_remote(static_cast<int>(request.station()), request.on(), reply.visit->person.name);
   send_done(reply);
 }
 
@@ -139,7 +137,7 @@ void Console::ram_fault(const Reply& reply, const v1::SetRamFault& request) cons
 }
 
 void Console::machine_data(const Reply& reply, const v1::ChangeMachineData& request) const {
-  const machine::MachineData newest = lab_.machine_data_due_.value_or(lab_.machine_data_);
+  const machine::MachineData newest = lab_.machine_.wished_data();
   if (request.data().empty()) {
     Items items;
     for (const auto& form : machine::datum_forms()) items.push_back(datum_item(form.number, newest.get(form.number)));
@@ -147,8 +145,8 @@ void Console::machine_data(const Reply& reply, const v1::ChangeMachineData& requ
   }
   if (lab_.authority_.phase() != Phase::nobody)
     return send_error(reply,
-                      lab_.say(reply.tongue, "Maschinendaten lassen sich nur ändern, wenn kein Platz die Maschine hat.",
-                               "Machine data can be changed only while no station has the machine."));
+                      say(reply.tongue, "Maschinendaten lassen sich nur ändern, wenn kein Platz die Maschine hat.",
+                          "Machine data can be changed only while no station has the machine."));
   machine::MachineData wished = newest;
   for (const auto& datum : request.data())
     if (const auto set = wished.set(static_cast<int>(datum.number()), datum.value()); !set)
@@ -157,10 +155,9 @@ void Console::machine_data(const Reply& reply, const v1::ChangeMachineData& requ
   const auto limits = machine::motion_limits(wished);
   if (limits.f_max_mm_per_s / limits.stop_deceleration_mm_per_s2 > 2.0)
     return send_error(
-        reply,
-        lab_.say(reply.tongue,
-                 "Mit diesen Daten dauert ein Halt aus F MAX über 2 s: RAMPE größer oder F MAX kleiner wählen.",
-                 "With these data a stop from F MAX takes over 2 s: choose a greater RAMPE or a smaller F MAX."));
+        reply, say(reply.tongue,
+                   "Mit diesen Daten dauert ein Halt aus F MAX über 2 s: RAMPE größer oder F MAX kleiner wählen.",
+                   "With these data a stop from F MAX takes over 2 s: choose a greater RAMPE or a smaller F MAX."));
   ask_store(
       reply,
       [wished, author = db::Author{reply.visit->person.name, 0, lab_.clock_.unix_ms()}](db::Database& database) {
@@ -169,7 +166,8 @@ void Console::machine_data(const Reply& reply, const v1::ChangeMachineData& requ
         return true;
       },
       [reply, wished](const Console& console, bool) {
-        console.lab_.use_machine_data(wished);
+        console.lab_.machine_.wish_data(wished);
+        console.lab_.settle_machine_data();
         console.send_done(reply);
       });
 }
@@ -177,36 +175,41 @@ void Console::machine_data(const Reply& reply, const v1::ChangeMachineData& requ
 void Console::tools(const Reply& reply, const v1::SetTools& request) const {
   if (request.tape().empty()) {
     v1::InstructorItem item;
-    item.mutable_program_text()->set_text(lab_.tools_.empty() ? "P0000\n%" : lab_.tools_ + "%");
+    item.mutable_program_text()->set_text(lab_.machine_.tools_tape().empty() ? "P0000\n%"
+                                                                             : lab_.machine_.tools_tape() + "%");
     return send(reply, {item});
   }
   if (lab_.authority_.phase() != Phase::nobody)
-    return send_error(
-        reply, lab_.say(reply.tongue, "Die Werkzeugliste lässt sich nur ändern, wenn kein Platz die Maschine hat.",
-                        "The tool list can be changed only while no station has the machine."));
+    return send_error(reply,
+                      say(reply.tongue, "Die Werkzeugliste lässt sich nur ändern, wenn kein Platz die Maschine hat.",
+                          "The tool list can be changed only while no station has the machine."));
   const language::Tape tape = language::read_tape(request.tape(), language::Reading::file, reply.tongue);
   if (!tape.errors.empty()) return send_error(reply, tape_error(tape.errors.front(), reply.tongue));
   if (tape.programs.size() != 1 || tape.programs.front().program.number != 0)
-    return send_error(reply, lab_.say(reply.tongue, "Die Datei muss genau das Programm P0000 enthalten.",
-                                      "The file must hold the program P0000 and no other."));
+    return send_error(reply, say(reply.tongue, "Die Datei muss genau das Programm P0000 enthalten.",
+                                 "The file must hold the program P0000 and no other."));
   store_value(reply, "tools", language::write_program(tape.programs.front().program),
-              [](Lab& lab, const std::string& text) { lab.use_tools(text); });
+              [](Lab& lab, const std::string& text) { lab.machine_.use_tools(text); });
 }
 
 void Console::workpiece(const Reply& reply, const v1::SetWorkpiece& request) const {
   if (request.print_only()) {
     v1::InstructorItem item;
-    item.mutable_workpiece()->set_x(lab_.workpiece_mm_[0]);
-    item.mutable_workpiece()->set_y(lab_.workpiece_mm_[1]);
-    item.mutable_workpiece()->set_z(lab_.workpiece_mm_[2]);
+    const std::array<double, 3> size_mm = lab_.machine_.workpiece().size_mm;
+    item.mutable_workpiece()->set_x(size_mm[0]);
+    item.mutable_workpiece()->set_y(size_mm[1]);
+    item.mutable_workpiece()->set_z(size_mm[2]);
     return send(reply, {item});
   }
   const std::array<double, 3> size_mm{request.x(), request.y(), request.z()};
   if (!std::ranges::all_of(size_mm, [](double mm) { return mm >= kLeastWorkpiece_mm && mm <= kMostWorkpiece_mm; }))
-    return send_error(reply, lab_.say(reply.tongue, "Ein Werkstück hat Kanten von 1 bis 1000 mm.",
-                                      "A workpiece has edges of 1 to 1000 mm."));
+    return send_error(reply, say(reply.tongue, "Ein Werkstück hat Kanten von 1 bis 1000 mm.",
+                                 "A workpiece has edges of 1 to 1000 mm."));
   store_value(reply, "workpiece", fmt::format("{} {} {}", size_mm[0], size_mm[1], size_mm[2]),
-              [size_mm](Lab& lab, const std::string&) { lab.use_workpiece(size_mm); });
+              [size_mm](Lab& lab, const std::string&) {
+                lab.machine_.use_workpiece(size_mm);
+                for (const auto& desk : lab.seats_.all()) desk->set_workpiece(lab.machine_.workpiece());
+              });
 }
 
 void Console::store_value(const Reply& reply, const std::string& key, const std::string& value,
@@ -219,7 +222,7 @@ void Console::store_value(const Reply& reply, const std::string& key, const std:
       },
       [reply, key, value, then = std::move(then)](const Console& console, bool) {
         then(console.lab_, value);
-        console.lab_.write_journal(key, value.substr(0, kJournalled), 0, reply.visit->person.name);
+        console.lab_.journal_.write(key, value.substr(0, kJournalled), 0, reply.visit->person.name);
         console.send_done(reply);
       });
 }

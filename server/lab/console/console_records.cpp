@@ -137,9 +137,9 @@ void Console::run_replay(const Reply& reply, const v1::RunName& request) const {
 void Console::journal(const Reply& reply, const v1::JournalQuery& request) const {
   const auto since = parse_since(request.since());
   if (!since)
-    return send_error(reply, lab_.say(reply.tongue, "Zeit als JJJJ-MM-TT oder JJJJ-MM-TTThh:mm angeben.",
-                                      "Give the time as YYYY-MM-DD or YYYY-MM-DDThh:mm."));
-  lab_.flush_journal();
+    return send_error(reply, say(reply.tongue, "Zeit als JJJJ-MM-TT oder JJJJ-MM-TTThh:mm angeben.",
+                                 "Give the time as YYYY-MM-DD or YYYY-MM-DDThh:mm."));
+  lab_.journal_.flush();
   ask_store(
       reply,
       [name = request.student(), since = *since](db::Database& database) { return database.journal(name, since); },
@@ -165,11 +165,10 @@ void Console::backup(const Reply& reply) const {
     if (!*alive || reply.visit->stage != Stage::at_console) return;
     const Console console(lab);
     if (!copy) return console.send_error(reply, copy.error());
-    lab.write_journal("backup", fmt::format("{} bytes", copy->size), 0, reply.visit->person.name);
+    lab.journal_.write("backup", fmt::format("{} bytes", copy->size), 0, reply.visit->person.name);
     console.send_file(reply, copy->stream, copy->size);
   });
-  if (!begun)
-    send_error(reply, lab_.say(reply.tongue, "Eine Sicherung läuft schon.", "A backup is under way already."));
+  if (!begun) send_error(reply, say(reply.tongue, "Eine Sicherung läuft schon.", "A backup is under way already."));
 }
 
 }  // namespace cnclab::lab

@@ -78,12 +78,12 @@ const Console::Row* Console::row_of(const R& request) {
 void Console::answer(const std::shared_ptr<Visit>& visit, const R& request) {
   const Reply reply{visit, request.number(), lab_.tongue_of(visit->person)};
   if (visit->stage != Stage::at_console || visit->person.role != "instructor") {
-    lab_.write_journal("refused", "instructor request without the role", 0, visit->person.name);
-    return send_error(reply, lab_.say(reply.tongue, "Das darf nur die Lehrkraft.", "Only the instructor may do that."));
+    lab_.journal_.write("refused", "instructor request without the role", 0, visit->person.name);
+    return send_error(reply, say(reply.tongue, "Das darf nur die Lehrkraft.", "Only the instructor may do that."));
   }
   if (const Row* const row = row_of(request)) return row->answer(*this, reply, request);
-  send_error(reply, lab_.say(reply.tongue, "Diesen Befehl kennt der Server nicht.",
-                             "This server does not know that command."));
+  send_error(reply,
+             say(reply.tongue, "Diesen Befehl kennt der Server nicht.", "This server does not know that command."));
 }
 
 }  // namespace cnclab::lab

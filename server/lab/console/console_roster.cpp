@@ -30,8 +30,8 @@ struct RosterLine {
 
 void Console::with_hash(const Reply& reply, const std::string& password, std::function<void(std::string)> then) const {
   if (password.size() < kShortestPassword || password.size() > kLongestPassword)
-    return send_error(reply, lab_.say(reply.tongue, "Das Passwort muss 8 bis 256 Zeichen haben.",
-                                      "The password must have 8 to 256 characters."));
+    return send_error(reply, say(reply.tongue, "Das Passwort muss 8 bis 256 Zeichen haben.",
+                                 "The password must have 8 to 256 characters."));
   lab_.passwords_.hash(password, [alive = lab_.alive_, reply, then = std::move(then)](const std::string& hash) {
     if (*alive && reply.visit->stage == Stage::at_console) then(hash);
   });
@@ -46,7 +46,7 @@ void Console::passwd(const Reply& reply, const v1::NewPassword& request) const {
           return true;
         },
         [reply](const Console& console, bool) {
-          console.lab_.write_journal("password_changed", "", 0, reply.visit->person.name);
+          console.lab_.journal_.write("password_changed", "", 0, reply.visit->person.name);
           console.send_done(reply);
         });
   });
@@ -78,7 +78,7 @@ void Console::students(const Reply& reply) const {
           student.set_language(lab.tongue_of(line.person) == language::Tongue::german ? "de" : "en");
           const bool small = lab.configuration_.model == language::Model::cnc3250;
           student.set_model(!line.person.model.empty() ? line.person.model : small ? "3250" : "3300");
-          if (const auto desk = lab.desk_of(line.person.id); desk && desk->is_seated())
+          if (const auto desk = lab.seats_.of(line.person.id); desk && desk->is_seated())
             student.set_station(static_cast<std::uint32_t>(desk->station));
           student.set_programs(static_cast<std::uint32_t>(line.programs));
           const int free = language::empty_memory_bytes(lab.configuration_.memory_bytes) - line.bytes;
@@ -97,8 +97,8 @@ void Console::student_add(const Reply& reply, const v1::StudentAdd& request) con
     return send_error(reply, reply.tongue == language::Tongue::german ? bad.german : bad.english);
   const std::string role = request.role().empty() ? "student" : request.role();
   if (role != "student" && role != "observer" && role != "instructor")
-    return send_error(reply, lab_.say(reply.tongue, "Rollen: student, observer, instructor.",
-                                      "Roles: student, observer, instructor."));
+    return send_error(
+        reply, say(reply.tongue, "Rollen: student, observer, instructor.", "Roles: student, observer, instructor."));
   const bool one_time = request.password().empty();
   const std::string password = one_time ? one_time_password() : request.password();
   db::Person person;
@@ -118,7 +118,7 @@ void Console::student_add(const Reply& reply, const v1::StudentAdd& request) con
           return true;
         },
         [reply, one_time, password, name = complete.name](const Console& console, bool) {
-          console.lab_.write_journal("student_add", name, 0, reply.visit->person.name);
+          console.lab_.journal_.write("student_add", name, 0, reply.visit->person.name);
           if (one_time) return console.send(reply, {password_item(name, password)});
           console.send_done(reply, name);
         });
@@ -127,8 +127,8 @@ void Console::student_add(const Reply& reply, const v1::StudentAdd& request) con
 
 void Console::student_remove(const Reply& reply, const v1::StudentName& request) const {
   if (request.name() == reply.visit->person.name)
-    return send_error(reply, lab_.say(reply.tongue, "Das eigene Konto lässt sich nicht entfernen.",
-                                      "You cannot remove your own account."));
+    return send_error(reply, say(reply.tongue, "Das eigene Konto lässt sich nicht entfernen.",
+                                 "You cannot remove your own account."));
   ask_store(
       reply,
       [name = request.name(), erase = request.erase(), time = lab_.clock_.unix_ms()](db::Database& database) {
@@ -141,15 +141,15 @@ void Console::student_remove(const Reply& reply, const v1::StudentName& request)
       },
       [reply, name = request.name(), erase = request.erase()](const Console& console, db::PersonId id) {
         Lab& lab = console.lab_;
-        if (const auto desk = lab.desk_of(id)) {
+        if (const auto desk = lab.seats_.of(id)) {
           const auto visit = desk->visit.lock();
           if (visit) lab.vacate(visit, "removed from the roster");
           lab.dismiss(desk);
           if (visit)
             lab.farewell(visit, 9,
-                         lab.say(lab.tongue_of(desk->person), "Das Konto wurde entfernt.", "The account was removed."));
+                         say(lab.tongue_of(desk->person), "Das Konto wurde entfernt.", "The account was removed."));
         }
-        lab.write_journal(erase ? "student_erase" : "student_remove", name, 0, reply.visit->person.name);
+        lab.journal_.write(erase ? "student_erase" : "student_remove", name, 0, reply.visit->person.name);
         console.send_done(reply, name);
       });
 }
@@ -164,7 +164,7 @@ void Console::student_restore(const Reply& reply, const v1::StudentName& request
         return true;
       },
       [reply, name = request.name()](const Console& console, bool) {
-        console.lab_.write_journal("student_restore", name, 0, reply.visit->person.name);
+        console.lab_.journal_.write("student_restore", name, 0, reply.visit->person.name);
         console.send_done(reply, name);
       });
 }
@@ -180,7 +180,7 @@ void Console::student_rename(const Reply& reply, const v1::StudentRename& reques
         return person.id;
       },
       [reply, to = request.new_name()](const Console& console, db::PersonId id) {
-        if (const auto desk = console.lab_.desk_of(id)) desk->person.name = to;
+        if (const auto desk = console.lab_.seats_.of(id)) desk->person.name = to;
         console.lab_.everybody_changed();
         console.send_done(reply, to);
       });
@@ -192,8 +192,8 @@ void Console::student_set(const Reply& reply, const v1::StudentSettings& request
     return value.empty() || std::ranges::find(allowed, value) != allowed.end();
   };
   if (!is_one_of(request.model(), {"3300", "3250", "lab"}) || !is_one_of(request.language(), {"de", "en", "lab"}))
-    return send_error(reply, lab_.say(reply.tongue, "Modelle: 3300, 3250, lab. Sprachen: de, en, lab.",
-                                      "Models: 3300, 3250, lab. Languages: de, en, lab."));
+    return send_error(reply, say(reply.tongue, "Modelle: 3300, 3250, lab. Sprachen: de, en, lab.",
+                                 "Models: 3300, 3250, lab. Languages: de, en, lab."));
   ask_store(
       reply,
       [name = request.name(), model = request.model(), language = request.language()](db::Database& database) {
@@ -204,7 +204,7 @@ void Console::student_set(const Reply& reply, const v1::StudentSettings& request
       },
       [reply, name = request.name(), model = request.model(), language = request.language()](const Console& console,
                                                                                              bool) {
-        console.lab_.write_journal("student_set", name + " " + model + " " + language, 0, reply.visit->person.name);
+        console.lab_.journal_.write("student_set", name + " " + model + " " + language, 0, reply.visit->person.name);
         console.send_done(reply, name);
       });
 }
@@ -219,7 +219,7 @@ void Console::student_password(const Reply& reply, const v1::StudentName& reques
           return true;
         },
         [reply, password, name](const Console& console, bool) {
-          console.lab_.write_journal("password_reset", name, 0, reply.visit->person.name);
+          console.lab_.journal_.write("password_reset", name, 0, reply.visit->person.name);
           console.send(reply, {password_item(name, password)});
         });
   });

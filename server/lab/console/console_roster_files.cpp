@@ -54,7 +54,7 @@ void Console::import(const Reply& reply, const v1::RosterImport& request) const 
   const Roster roster = read_roster(request.csv(), reply.tongue);
   if (!roster.errors.empty()) return send_error(reply, joined(roster.errors));
   if (roster.entries.empty())
-    return send_error(reply, lab_.say(reply.tongue, "In der Datei steht niemand.", "There is nobody in the file."));
+    return send_error(reply, say(reply.tongue, "In der Datei steht niemand.", "There is nobody in the file."));
   const auto import = std::make_shared<Import>();
   for (const auto& entry : roster.entries) import->people.push_back({entry, entry.password.empty(), {}});
   // Names that exist are told before the passwords are hashed, which takes a while.
@@ -98,7 +98,7 @@ void Console::add_all(const Reply& reply, const std::shared_ptr<Import>& import)
       [reply, import](const Console& console, bool) {
         Items items;
         for (const auto& person : import->people) {
-          console.lab_.write_journal("student_add", person.entry.name, 0, reply.visit->person.name);
+          console.lab_.journal_.write("student_add", person.entry.name, 0, reply.visit->person.name);
           if (person.one_time) items.push_back(password_item(person.entry));
         }
         if (items.empty()) return console.send_done(reply, fmt::format("{}", import->people.size()));

@@ -43,15 +43,15 @@ struct Lab::LaborOrders {
   void operator()(const AskForPassword& /*order*/) const {
     // While the station's keys are letters of a password they cannot stop the machine.
     if (desk->on_lab_machine)
-      return close(lab.say(tongue(), "Das Passwort lässt sich ändern, wenn die Maschine abgegeben ist.",
-                           "The password can be changed once the machine is released."));
+      return close(say(tongue(), "Das Passwort lässt sich ändern, wenn die Maschine abgegeben ist.",
+                       "The password can be changed once the machine is released."));
     const VisitPtr visit = desk->visit.lock();
     if (!visit) return;
     v1::ServerMessage message;
     message.mutable_ask_password();
     visit->peer->send(message);
-    close(lab.say(tongue(), "Die Station fragt nach dem alten und dem neuen Passwort.",
-                  "The station asks for the old and the new password."));
+    close(say(tongue(), "Die Station fragt nach dem alten und dem neuen Passwort.",
+              "The station asks for the old and the new password."));
   }
   void operator()(const ChooseLanguage& order) const { lab.choose_language(desk, order.tongue); }
   void operator()(const ReadList& order) const {

@@ -45,8 +45,8 @@ void Lab::restore_version(const DeskPtr& desk, const Subject& of, int version) {
         const auto tongue = tongue_of(owner->person);
         if (!result) return note(*owner, sentence_for(result.error(), tongue_of(owner->person)));
         if (!*result) return note(*owner, result->error().in(tongue));
-        write_journal("restore", name_of(of, language::Tongue::english) + " version " + std::to_string(version),
-                      owner->station, owner->person.name);
+        journal_.write("restore", name_of(of, language::Tongue::english) + " version " + std::to_string(version),
+                       owner->station, owner->person.name);
         note(*owner, name_of(of, tongue) + say(tongue, ": Version ", ": version ") + std::to_string(version) +
                          say(tongue, " gilt wieder.", " holds again."));
         if (const auto& data = **result)
@@ -58,12 +58,12 @@ void Lab::restore_version(const DeskPtr& desk, const Subject& of, int version) {
 }
 
 void Lab::reload_programs(db::PersonId person) {
-  if (!desk_of(person)) return;
+  if (!seats_.of(person)) return;
   store_.run(
       [person](db::Database& database) { return database.programs(person); },
       [this, alive = alive_, person](const std::expected<std::vector<db::StoredProgram>, db::StoreError>& programs) {
         if (!*alive || !programs) return;
-        const DeskPtr desk = desk_of(person);
+        const DeskPtr desk = seats_.of(person);
         if (!desk) return;
         desk->control.replace_memory(memory_of(*programs, configuration_.memory_bytes));
         desk->is_dirty = true;
