@@ -101,6 +101,7 @@ class Lab {
   void password_checked(const VisitPtr& visit, const std::optional<db::Person>& person, bool fits);
   void admit(const VisitPtr& visit);
   void admit_station(const VisitPtr& visit);
+  void admit_elsewhere(const VisitPtr& visit, const DeskPtr& mine, int station);
   void load_desk(const VisitPtr& visit);
   void restore_machine_data(const DeskPtr& desk);  ///< ERR-014
   void resume(const VisitPtr& visit, const v1::Resume& resume);
