@@ -48,7 +48,7 @@ std::string hint_for(Key key, Place place, const Settings& settings) {
   if (place == Place::automat_running) return text(Text::hint_running, tongue, {label});
   if (place == Place::automat_waiting || place == Place::input_waiting)
     return text(Text::hint_waiting, tongue, {label});
-  if (place == Place::external_transfer) return text(Text::hint_transfer, tongue, {label});
+  if (is_transfer(place)) return text(Text::hint_transfer, tongue, {label});
   if (is_start_state(place)) return text(Text::hint_moving, tongue, {label});
   if (place != Place::menu && is_opening(effect_of(Place::menu, key, settings.vocabulary)))
     return text(Text::hint_menu_first, tongue, {label});
@@ -195,6 +195,7 @@ void Control::store_done(const std::string& error) {
   ControlState& state = impl_->state;
   if (!state.storing) return;
   const StoreRequest request = *std::exchange(state.storing, std::nullopt);
+  state.hint.clear();  // of a key that came while it was being stored
   const bool is_from_line = state.port.is_storing;
   if (is_from_line && !error.empty()) panel::line_stored(impl_->active, state, request, false);
   if (!error.empty()) {
@@ -211,6 +212,8 @@ Outcome Control::poll(const Now& now) {
   Outcome outcome;
   ControlState& state = impl_->state;
   state.now = now;
+  const Place place = impl_->place();
+  const std::string hint = state.hint;
   if (const auto turn = state.machine().spindle; turn != geometry::SpindleTurn::off) state.last_turn = turn;
   const bool was_storing = state.storing.has_value();
   if (state.recorder && !std::holds_alternative<ExternalDataMode>(impl_->active))
@@ -220,6 +223,7 @@ Outcome Control::poll(const Now& now) {
   impl_->obey_mode(outcome);
   follow_line(impl_->active, state);
   impl_->obey_mode(outcome);
+  if (state.hint == hint && impl_->place() != place) state.hint.clear();  // it spoke of what is over
   if (!was_storing) outcome.store = state.storing;
   impl_->hand_out_media(outcome);
   impl_->hand_out_line(outcome);
@@ -287,7 +291,7 @@ bool Control::is_running() const { return is_start_state(impl_->place()); }
 bool Control::is_busy() const {
   const auto* graphics = std::get_if<GraphicsMode>(&impl_->active);
   const bool plays = graphics != nullptr && (graphics->is_playing || (graphics->test && graphics->test->is_busy()));
-  return plays || is_running() || recorder_runs() || impl_->place() == Place::external_transfer;
+  return plays || is_running() || recorder_runs() || is_transfer(impl_->place());
 }
 
 int Control::take_beeps() {

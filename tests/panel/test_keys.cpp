@@ -95,7 +95,9 @@ const std::vector<Column> kColumns{
     {"HE", {Place::input_function, Place::input_word, Place::input_rest}},
     {"TI", {Place::teach_program, Place::teach_ready, Place::teach_word}},
     {"AU", {Place::automat_program, Place::automat_block, Place::automat_ready}},
-    {"XD", {Place::external_device, Place::external_program, Place::external_transfer}},
+    {"XD",
+     {Place::external_device, Place::external_write, Place::external_read, Place::external_transfer,
+      Place::external_leader, Place::external_reading}},
     {"GR", {Place::graphics_program, Place::graphics}},
     {"SL", {Place::erase_program, Place::erase_all}},
     {"EM", {Place::editor_program, Place::editor_number, Place::editor_function, Place::editor_word}},
@@ -190,14 +192,23 @@ TEST(KeyTable, KEY_041_MODEL_003_006_KeysOfAbsentFunctions) {
   EXPECT_EQ(effect_of(Place::editor_word, Key::DOWN, small), kNo);
   EXPECT_EQ(effect_of(Place::editor_number, Key::DOWN, small), Effect::down) << "paging is no parameter";
   EXPECT_EQ(effect_of(Place::editor_word, Key::DOWN, plain), Effect::down);
+  for (const Key key : {Key::D1, Key::D3, Key::D7}) {
+    EXPECT_EQ(effect_of(Place::external_device, key, small), kNo) << "MODEL-004, MODEL-005";
+    EXPECT_EQ(effect_of(Place::external_device, key), Effect::digit);
+  }
+  for (const Key key : {Key::D2, Key::D4, Key::D5, Key::D6, Key::D8, Key::D9})
+    EXPECT_EQ(effect_of(Place::external_polled, key, small), Effect::digit) << name_of(key);
 }
 
 TEST(KeyTable, KeysOfAPlaceDoNotOverlap) {
-  for (const KeyRow& row : key_table())
-    for (const KeyRow& other : key_table())
-      if (&row != &other && row.place == other.place) {
-        EXPECT_TRUE(row.last < other.first || other.last < row.first) << name_of(row.first);
-      }
+  for (const language::Model model : {language::Model::cnc3300, language::Model::cnc3250}) {
+    const language::Vocabulary vocabulary{.model = model};
+    for (const KeyRow& row : key_table())
+      for (const KeyRow& other : key_table())
+        if (&row != &other && row.place == other.place && has_row(row, vocabulary) && has_row(other, vocabulary)) {
+          EXPECT_TRUE(row.last < other.first || other.last < row.first) << name_of(row.first);
+        }
+  }
 }
 
 /// The monitor and what is kept: an ignored key changes neither (KEY conventions).
@@ -256,7 +267,7 @@ TEST(Keys, DEC_01_EveryPlaceHasASentenceAndItsKeysBelow) {
       std::string below;
       for (int row = 19; row < 24; ++row) below += bench.row(row) + " ";
       for (const KeyRow& entry : key_table()) {
-        if (entry.place != scene.place) continue;
+        if (entry.place != scene.place || !has_row(entry, setup.settings.vocabulary)) continue;
         const std::string help(text(entry.help, tongue));
         EXPECT_TRUE(below.contains(help)) << help << " is missing in\n" << bench.picture();
       }
