@@ -105,6 +105,7 @@ void Control::connect(Connection connection) {
   state.compensation_mm = {};
   state.taught = {};  // positions of another machine mean nothing here
   // What ended the motion that this change has cut off is still to be told: `Endschalter` with its axis (ERR-020).
+  state.hint.clear();  // it spoke of the machine before
   const bool is_limit_told = leaves_lab_machine && state.message.monitor == text(Text::limit_switch, state.tongue());
   if (!is_limit_told) state.message = {};
   if (had_run && !is_limit_told) state.message.sentence = text(Text::said_connected, state.tongue());
@@ -135,7 +136,7 @@ Outcome Control::press(Key key, const Now& now) {
   }
   const Place place = impl_->place();
   const Effect effect = effect_of(place, key, state.settings.vocabulary);
-  if (effect == Effect::ignored) {
+  if (effect == Effect::ignored || !acts(impl_->active, effect)) {
     if (state.settings.hints) state.hint = hint_for(key, place, state.settings);
     return outcome;
   }
@@ -255,7 +256,8 @@ Screen Control::draw(const Now& now, const SideView& side) const {
                     .is_referenced = machine.is_referenced,
                     .spindle = machine.spindle};
   draw_side(canvas, side, lamps, state.tongue());
-  draw_bottom(canvas, impl_->sentence(side), impl_->place(), state.settings);
+  const auto lists = [&](Effect effect) { return side.keys_work && is_of_use(impl_->active, effect); };
+  draw_bottom(canvas, {side.bar, impl_->sentence(side), lists}, impl_->place(), state.settings);
   return canvas.screen();
 }
 
@@ -290,7 +292,8 @@ bool Control::is_running() const { return is_start_state(impl_->place()); }
 
 bool Control::is_busy() const {
   const auto* graphics = std::get_if<GraphicsMode>(&impl_->active);
-  const bool plays = graphics != nullptr && (graphics->is_playing || (graphics->test && graphics->test->is_busy()));
+  const bool plays = graphics != nullptr &&
+                     (graphics->is_playing || graphics->is_stale || (graphics->test && graphics->test->has_news()));
   return plays || is_running() || recorder_runs() || is_transfer(impl_->place());
 }
 
@@ -350,6 +353,8 @@ void Control::replace_data(machine::MachineData data) {
   impl_->state.data = std::move(data);
   (void)impl_->state.apply_data();  // where the machine does not stand still, the next START tries again
 }
+
+void Control::drop_hint() { impl_->state.hint.clear(); }
 
 void Control::set_tongue(language::Tongue tongue) {
   impl_->state.settings.tongue = tongue;

@@ -209,8 +209,7 @@ constexpr std::array kRows{
 
     one(Place::memory_list, Key::SPEICHER_LOESCHEN, Effect::test_memory, Text::help_test_memory),
     menu(Place::memory_list),
-    one(Place::memory_confirm, Key::SPEICHER_LOESCHEN, Effect::test_memory, Text::help_destroy_memory),
-    menu(Place::memory_confirm),
+    one(Place::memory_running, Key::RESET, Effect::reset, Text::help_end_test),
 
     digits(Place::editor_program),
     clear(Place::editor_program),

@@ -51,7 +51,6 @@ enum class Place : std::uint8_t {
   // Service
   machine_data,
   memory_list,     ///< the numbers that the test would go through
-  memory_confirm,  ///< asked whether the memory may be destroyed
   memory_running,  ///< until RESET (ERR-033)
   // EINGABEMODUS
   editor_program,   ///< program number prompt, and the overview
@@ -97,6 +96,7 @@ enum class Effect : std::uint8_t {
   coolant,
   reference,
   test_memory,
+  reset,  ///< everywhere, apart from the table; listed where nothing else is left
 };
 
 /// A row of the table: in this place the keys from `first` to `last` have this effect.

@@ -232,6 +232,34 @@ TEST_F(ExternalData, WhatIsWrongOrTooMuchLeavesTheMemoryAsItWas_DEC_57) {
   EXPECT_EQ(bench.stores(), 0);
 }
 
+// DEC-30, EXT-049: the control skips small letters; row 18 tells that it did.
+TEST_F(ExternalData, SmallLettersOfADisketteAreSkippedAndTold_DEC_30) {
+  bench.media["P0004.nc"] = "P0004 (Nut links)\nN001 G01 X+1000 hallo\n%\n";
+  bench.keys("8 CLEAR 4 ENTER");
+  EXPECT_THAT(memory(), HasSubstr("P0004\nN001G01X+1000\n"));
+  EXPECT_EQ(bench.row(18), "Gelesen und gespeichert: 1 Programme. Gerät wählen. Kleinbuchstaben hat die");
+  EXPECT_EQ(bench.row(19), "Steuerung überlesen.");
+  bench.media["P0005.nc"] = "P0005 (Nut rechts)\nN001 G01 X+1000\n%\n";
+  bench.keys("8 CLEAR 5 ENTER");
+  EXPECT_EQ(bench.row(18), "Gelesen und gespeichert: 1 Programme. Gerät wählen.") << "comments are no loss";
+  bench.media["P0006.nc"] = "hallo";
+  bench.keys("8 CLEAR 6 ENTER");
+  EXPECT_THAT(bench.row(18) + " " + bench.row(19), HasSubstr("Kleinbuchstaben hat die Steuerung überlesen."));
+}
+
+TEST_F(ExternalData, AReservedNumberIsLeftOutAndTold_DEC_06) {
+  bench.media["P9985.nc"] = "P9985\nN001G05\n%\n";
+  bench.keys("8 CLEAR 9 9 8 5 ENTER");
+  EXPECT_EQ(bench.monitor(15), "Reserviert fuer Zyklen");
+  EXPECT_THAT(bench.row(18), HasSubstr("P9981 bis P9989"));
+  bench.media["SPEICHER.nc"] = "P0001\nN001G05\nP9985\nN001G05\n%\n";
+  bench.keys("8 CLEAR ENTER");
+  EXPECT_EQ(memory(), "P0001\nN001G05\n");
+  EXPECT_THAT(bench.row(18) + " " + bench.row(19), HasSubstr("P9981 bis P9989"));
+  bench.keys("8 1 ENTER");
+  EXPECT_THAT(bench.row(18) + " " + bench.row(19), Not(HasSubstr("P9981"))) << "nobody asked for it";
+}
+
 TEST_F(ExternalData, AStoreThatFailsEndsTheTransfer) {
   bench.media["P0005.nc"] = "P0005N001G05%";
   bench.fail_next_store("Platte voll");

@@ -173,13 +173,11 @@ TEST(KeyTable, KEY_011_012_013_StartStateOfEveryMode) {
 TEST(KeyTable, KEY_051_MemoryTest) {
   for (int number = 1; number <= kKeys; ++number) {
     const auto key = static_cast<Key>(number);
-    for (const Place place : {Place::memory_list, Place::memory_confirm}) {
-      const Effect expected = key == Key::SPEICHER_LOESCHEN ? Effect::test_memory
-                              : key == Key::MENU            ? Effect::open_menu
-                                                            : kNo;
-      EXPECT_EQ(effect_of(place, key), expected) << name_of(key);
-    }
-    EXPECT_EQ(effect_of(Place::memory_running, key), kNo) << name_of(key);
+    const Effect expected = key == Key::SPEICHER_LOESCHEN ? Effect::test_memory
+                            : key == Key::MENU            ? Effect::open_menu
+                                                          : kNo;
+    EXPECT_EQ(effect_of(Place::memory_list, key), expected) << name_of(key);
+    EXPECT_EQ(effect_of(Place::memory_running, key), key == Key::RESET ? Effect::reset : kNo) << name_of(key);
   }
 }
 
@@ -229,7 +227,7 @@ constexpr Scene kScenes[] = {
     {"EM program", "EINGABE", Place::editor_program},
     {"EM number", "EINGABE ENTER", Place::editor_number},
     {"EM function", "EINGABE ENTER ENTER", Place::editor_function},
-    {"EM word", "EINGABE ENTER ENTER ENTER", Place::editor_word},
+    {"EM word", "EINGABE ENTER ENTER 0 1 ENTER", Place::editor_word},
     {"AU program", "AUTOMAT", Place::automat_program},
     {"AU block", "AUTOMAT ENTER", Place::automat_block},
     {"AU ready", "AUTOMAT ENTER ENTER", Place::automat_ready},
@@ -247,8 +245,7 @@ constexpr Scene kScenes[] = {
     {"SL", "SPEICHER_LOESCHEN", Place::erase_program},
     {"MDM", "ENTER+RESET", Place::machine_data},
     {"MT list", "3+6+9", Place::memory_list},
-    {"MT asked", "3+6+9 SPEICHER_LOESCHEN", Place::memory_confirm},
-    {"MT", "3+6+9 SPEICHER_LOESCHEN SPEICHER_LOESCHEN", Place::memory_running},
+    {"MT", "3+6+9 SPEICHER_LOESCHEN", Place::memory_running},
     {"SL all", "SPEICHER_LOESCHEN CLEAR", Place::erase_all},
 };
 
@@ -273,6 +270,58 @@ TEST(Keys, DEC_01_EveryPlaceHasASentenceAndItsKeysBelow) {
       }
     }
   }
+}
+
+std::string keys_below(const Bench& bench) {
+  std::string keys;
+  for (int row = 19; row < 24; ++row) keys += bench.row(row) + "\n";
+  return keys;
+}
+
+// The rows below list no key that does nothing where the marker stands (DEC-01, KEY-065).
+TEST(Keys, DEC_01_KEY_065_PointSignAndParameterAreListedWhereTheWordTakesThem) {
+  for (const std::string_view mode : {"EINGABE ENTER ENTER 0 1 ENTER", "HANDEINGABE ENTER"}) {
+    SCOPED_TRACE(std::string(mode));
+    Bench bench;
+    bench.keys(mode);
+    std::map<char, std::string> listed;  // by the word under the marker
+    for (const char letter : {'X', 'Y', 'Z', 'F', 'S', 'T', 'M'}) {
+      listed[letter] = keys_below(bench);
+      bench.keys("ENTER");
+    }
+    for (const char letter : {'X', 'Y', 'Z'}) {
+      EXPECT_TRUE(listed[letter].contains(" +/- ")) << letter << listed[letter];
+      EXPECT_TRUE(listed[letter].contains(" . ")) << letter << listed[letter];
+    }
+    for (const char letter : {'F', 'S', 'T', 'M'}) {
+      EXPECT_FALSE(listed[letter].contains(" +/- ")) << letter << listed[letter];
+      EXPECT_FALSE(listed[letter].contains(" . ")) << letter << listed[letter];
+    }
+  }
+}
+
+TEST(Keys, KEY_065_PointAndSignInAWholeNumberAreIgnoredWithAHint) {
+  Bench bench;
+  bench.keys("EINGABE ENTER ENTER 0 1 ENTER ENTER ENTER ENTER ENTER ENTER");
+  ASSERT_TRUE(bench.row(18).contains("Wort T")) << bench.row(18);
+  EXPECT_FALSE(keys_below(bench).contains("↓")) << "T takes no parameter";
+  EXPECT_TRUE(keys_below(bench).contains("EINGABE"));
+  const std::string before = bench.monitor(5) + bench.monitor(4);
+  for (const Key key : {Key::POINT, Key::SIGN, Key::DOWN}) {
+    bench.press(key);
+    EXPECT_EQ(bench.row(18), std::string(label_of(key)) + " hat hier keine Wirkung.");
+  }
+  EXPECT_EQ(bench.monitor(5) + bench.monitor(4), before);
+}
+
+TEST(Keys, DEC_06_ProgramsOfTheRomListNoKeyThatChangesThem) {
+  Bench bench;
+  bench.keys("EINGABE CLEAR 9 9 8 1 ENTER");
+  EXPECT_FALSE(keys_below(bench).contains("speichern")) << keys_below(bench);
+  EXPECT_FALSE(keys_below(bench).contains("SATZ LÖSCHEN")) << keys_below(bench);
+  EXPECT_TRUE(keys_below(bench).contains("SATZ SUCHEN")) << keys_below(bench);
+  bench.keys("EINGABE");
+  EXPECT_EQ(bench.monitor(15), "Reserviert fuer Zyklen") << "and still says why not";
 }
 
 TEST(Keys, SCR_022_ERR_043_RemoteLightsTheFieldOfExternalData) {

@@ -67,7 +67,7 @@ void Console::status(const Reply& reply) const {
   status.set_selected(static_cast<std::uint32_t>(authority.selected()));
   status.set_offered(static_cast<std::uint32_t>(authority.offered()));
   status.set_lease(static_cast<double>(static_cast<std::uint64_t>(authority.newest())));
-  status.set_halted_by(authority.halted_by());
+  status.set_halted_by(authority.halted_by(reply.tongue));
   status.set_shown(static_cast<std::uint32_t>(lab_.shown_station_));
   fill_machine(*status.mutable_machine(), lab_.machine_.snapshot(), authority);
   const auto ticks = lab_.ticks_.statistics();

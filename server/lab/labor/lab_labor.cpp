@@ -50,8 +50,7 @@ struct Lab::LaborOrders {
     v1::ServerMessage message;
     message.mutable_ask_password();
     visit->peer->send(message);
-    close(say(tongue(), "Die Station fragt nach dem alten und dem neuen Passwort.",
-              "The station asks for the old and the new password."));
+    desk->labor.reset();  // the station itself says what it asks for, and until when
   }
   void operator()(const ChooseLanguage& order) const { lab.choose_language(desk, order.tongue); }
   void operator()(const ReadList& order) const {

@@ -283,20 +283,27 @@ void media_answered(ExternalDataMode& mode, ControlState& state,
   }
   if (is_output(*mode.device)) return end_transfer(mode, std::string(text(Text::said_written, state.tongue())));
   const bool is_disk = mode.device == Device::disk_in;
-  const std::string received = is_disk ? *answer : transfer::read_punched(*answer);
+  const std::string received = is_disk ? without_small_letters(*answer) : transfer::read_punched(*answer);
+  const bool has_lost_letters = is_disk && received.size() != answer->size();
+  const std::string notice =
+      has_lost_letters ? " " + std::string(text(Text::said_small_letters, state.tongue())) : std::string();
   const bool is_whole = is_disk && mode.takes_all;
   if (!take_in(state, {.text = received,
                        .reading = is_disk ? language::Reading::file : language::Reading::strict,
                        .is_whole_memory = is_whole,
                        .adopts_machine_data = mode.adopts_machine_data,
-                       .sought = chosen(mode)}))
+                       .sought = chosen(mode),
+                       .notice = notice})) {
+    state.message.sentence += notice;
     end_transfer(mode, {});
+  }
 }
 
 void stored(ExternalDataMode& mode, ControlState& state, const StoreRequest& request) {
   if (const auto* put = std::get_if<PutPrograms>(&request))
     end_transfer(mode, text(put->data ? Text::said_read_with_data : Text::said_read, state.tongue(),
-                            {std::to_string(put->programs.size())}));
+                            {std::to_string(put->programs.size())}) +
+                           put->notice);
 }
 
 }  // namespace cnclab::panel

@@ -96,7 +96,10 @@ struct ReceivedText {
   bool is_whole_memory = false, adopts_machine_data = false;
   bool is_continuation = false;  ///< its blocks join those of the stored program (EXT-061)
   std::optional<std::uint16_t> sought;
+  std::string notice{};  ///< to be told once it is stored
 };
+/// What the control sees of a file: small letters it overlooks, outside comments (EXT-049, DEC-30).
+[[nodiscard]] std::string without_small_letters(std::string_view text);
 [[nodiscard]] bool take_in(ControlState& state, const ReceivedText& received);
 
 /// What leaves: one program, or everything with machine data.

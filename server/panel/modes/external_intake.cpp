@@ -53,6 +53,11 @@ bool take_in(ControlState& state, const ReceivedText& received) {
   const bool has_data =
       received.adopts_machine_data && !intake->machine_data.empty() && !state.connection.is_lab_machine;
   if (put.programs.empty() && !has_data) {
+    const bool may_be_left_out = !received.sought || language::is_reserved_for_cycles(*received.sought);
+    if (!intake->notices.empty() && may_be_left_out) {
+      state.complain(ErrorCode::reserved_for_cycles, intake->notices.front());  // DEC-06
+      return false;
+    }
     state.complain(Error{.code = ErrorCode::program_missing,
                          .detail = received.sought ? program_word(*received.sought) : std::string()});
     return false;
@@ -67,8 +72,21 @@ bool take_in(ControlState& state, const ReceivedText& received) {
     state.complain(Error{.code = ErrorCode::memory_full});
     return false;
   }
+  if (!received.sought)
+    for (const std::string& notice : intake->notices) put.notice += " " + notice;
+  put.notice += received.notice;
   state.storing = std::move(put);
   return true;
+}
+
+std::string without_small_letters(std::string_view text) {
+  std::string seen;
+  bool is_comment = false;
+  for (const char c : text) {
+    is_comment = c == '(' || (is_comment && c != ')');
+    if (is_comment || c < 'a' || c > 'z') seen += c;
+  }
+  return seen;
 }
 
 std::string machine_data_text(const machine::MachineData& data) {

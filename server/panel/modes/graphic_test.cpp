@@ -20,6 +20,7 @@ constexpr std::uint64_t kBlocksBetween = 20;
 
 GraphicTestView view_of(const testrun::TestRun& test, const drawing::Window& window) {
   return {.canvas = draw_scene(test.scene(), window),
+          .seen_from = window.view,
           .block = test.block(),
           .progress = test.progress(),
           .path_mm = test.path_mm(),
@@ -67,6 +68,7 @@ bool GraphicTest::is_busy() const { return shared_->is_busy.load(std::memory_ord
 
 void GraphicTest::advance(std::uint64_t blocks, const drawing::Window& window) {
   shared_->is_busy.store(true, std::memory_order_relaxed);
+  is_view_due_ = true;
   long_work_([shared = shared_, blocks, window] {
     for (std::uint64_t left = blocks; left > 0 && !shared->test.has_ended() && !shared->is_abandoned;) {
       const std::uint64_t portion = std::min(left, kBlocksBetween);
@@ -93,6 +95,7 @@ std::optional<PutFiles> GraphicTest::take_files() {
 
 std::optional<GraphicTestView> GraphicTest::take_view() {
   if (is_busy()) return std::nullopt;
+  is_view_due_ = false;
   return std::exchange(shared_->view, std::nullopt);
 }
 

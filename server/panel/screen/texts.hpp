@@ -132,7 +132,7 @@ enum class Text : std::uint16_t {
   help_play,
   help_next_datum,
   help_test_memory,
-  help_destroy_memory,
+  help_end_test,
   // Row 18: what the control waits for
   wait_menu,
   wait_editor_program,
@@ -195,7 +195,6 @@ enum class Text : std::uint16_t {
   wait_graphics_sound,
   wait_machine_data,
   wait_memory_list,
-  wait_memory_confirm,
   wait_memory_running,
   wait_tool,
   // Row 18: what was wrong, what to do
@@ -216,6 +215,7 @@ enum class Text : std::uint16_t {
   said_code_missing,
   said_block_number,
   said_number_missing,
+  said_tool_table,
   said_connected,
   said_not_on_lab_machine,
   said_no_direction,
@@ -239,6 +239,7 @@ enum class Text : std::uint16_t {
   said_tape_end,
   said_read,
   said_read_with_data,
+  said_small_letters,
   said_line_beginning,
   said_line_overflow,
   said_line_lost,
