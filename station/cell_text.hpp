@@ -1,13 +1,21 @@
 // What a cell looks like on this terminal: plain ASCII where it has no Unicode (DEC-01), never a control character.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
 namespace cnclab::station {
 
+/// What a terminal can show.
+enum class Glyphs : std::uint8_t {
+  all,
+  no_braille,  ///< a console's font of 512 signs: frames and umlauts, but not the dots of GRAFIK
+  ascii,
+};
+
 /// One code point that fills exactly one column: the same, or its ASCII likeness.
-[[nodiscard]] char32_t shown_code(char32_t code, bool is_ascii);
+[[nodiscard]] char32_t shown_code(char32_t code, Glyphs glyphs);
 
 /// A text from the server without control characters, for stderr and replies: one line.
 [[nodiscard]] std::string printable(std::string_view text);

@@ -1,4 +1,4 @@
-// ncurses behind our own types; no other file of the station includes its header.
+// ncurses behind our own types: the rest of the station knows nothing of it.
 #include "station/terminal.hpp"
 
 #define NCURSES_NOMACROS 1
@@ -12,7 +12,7 @@
 #include <cstdio>
 #include <string>
 
-#include "station/cell_text.hpp"
+#include "station/curses_attribute.hpp"
 
 namespace cnclab::station {
 
@@ -82,20 +82,6 @@ std::optional<Input> character_input(wint_t code) {
   return static_cast<char32_t>(code);
 }
 
-attr_t attributes_of(Attribute attribute) {
-  switch (attribute) {
-    case Attribute::normal:
-      return A_NORMAL;
-    case Attribute::inverse:
-      return A_REVERSE;
-    case Attribute::bold:
-      return A_BOLD;
-    case Attribute::dim:
-      return A_DIM;
-  }
-  return A_NORMAL;
-}
-
 }  // namespace
 
 std::expected<std::unique_ptr<Terminal>, Ending> Terminal::open(bool is_ascii) {
@@ -109,7 +95,7 @@ std::expected<std::unique_ptr<Terminal>, Ending> Terminal::open(bool is_ascii) {
                     "No terminal: start the station in a terminal, or with --headless."});
   }
   const bool has_utf8 = std::string_view(nl_langinfo(CODESET)) == "UTF-8";
-  std::unique_ptr<Terminal> terminal(new Terminal(is_ascii || !has_utf8));
+  std::unique_ptr<Terminal> terminal(new Terminal(is_ascii || !has_utf8 ? Glyphs::ascii : Glyphs::all));
   if (terminal->handle_->screen == nullptr) {
     return refused({"Dieses Terminal ist unbekannt: TERM prüfen, z. B. TERM=xterm-256color.",
                     "This terminal is unknown: check TERM, e.g. TERM=xterm-256color."});
@@ -118,12 +104,14 @@ std::expected<std::unique_ptr<Terminal>, Ending> Terminal::open(bool is_ascii) {
   return terminal;
 }
 
-Terminal::Terminal(bool is_ascii) : handle_(std::make_unique<Handle>()), is_ascii_(is_ascii) {
+Terminal::Terminal(Glyphs glyphs) : handle_(std::make_unique<Handle>()), glyphs_(glyphs) {
   handle_->screen = ::newterm(nullptr, stdout, stdin);
 }
 
 void Terminal::set_up() {
   ::set_term(handle_->screen);
+  const bool is_linux_console = std::string_view(::termname()).find("linux") != std::string_view::npos;
+  if (is_linux_console && glyphs_ == Glyphs::all) glyphs_ = Glyphs::no_braille;
   ::set_escdelay(kEscapeDelay_ms);
   ::raw();
   ::noecho();
@@ -200,9 +188,9 @@ void Terminal::draw(const Screen& screen) {
 
 void Terminal::write(int row, int column, std::string_view utf8, Attribute attribute, Colour colour) {
   std::wstring text;
-  for (const char32_t code : from_utf8(utf8)) text += static_cast<wchar_t>(shown_code(code, is_ascii_));
+  for (const char32_t code : from_utf8(utf8)) text += static_cast<wchar_t>(shown_code(code, glyphs_));
   const auto pair = static_cast<short>(has_colour_ ? static_cast<int>(colour) : 0);
-  ::wattr_set(stdscr, attributes_of(attribute), pair, nullptr);
+  ::wattr_set(stdscr, curses_attribute(attribute), pair, nullptr);
   ::mvwaddnwstr(stdscr, row, column, text.c_str(), static_cast<int>(text.size()));
   ::wattr_set(stdscr, A_NORMAL, 0, nullptr);
 }

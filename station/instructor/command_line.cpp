@@ -90,7 +90,7 @@ std::expected<Command, std::string> read_command(const std::vector<std::string>&
   }
   if (!command) return std::unexpected("a command is needed, e.g. students");
   if (command->changes_own_password)
-    return std::unexpected("passwd: use cnclab-instructor passwd, so that the password is not on the screen");
+    return std::unexpected("passwd: run `cnclab-instructor … passwd`, so that the password is not on the screen");
   return *command;
 }
 

@@ -57,6 +57,43 @@ TEST(ConsoleView, INS_001_every_seat_has_a_line_with_who_what_and_control) {
   EXPECT_EQ(trimmed(screen, 16), "  15 (frei)");
 }
 
+TEST(ConsoleView, INS_001_no_row_of_keys_is_cut) {
+  for (const auto language : {station::Language::german, station::Language::english}) {
+    ConsoleModel model = lesson();
+    model.language = language;
+    const Screen screen = draw_console(model).screen;
+    EXPECT_THAT(trimmed(screen, 22), testing::EndsWith(language == station::Language::german ? "Befehl" : "command"));
+    EXPECT_THAT(trimmed(screen, 23), testing::EndsWith(language == station::Language::german ? "Ende" : "quit"));
+    model.overlay = Overlay::help;
+    for (int row = 2; row < 18; ++row) EXPECT_EQ(draw_console(model).screen.at(row, 79).code, U' ') << row;
+  }
+}
+
+TEST(ConsoleView, INS_002_a_long_answer_takes_two_rows) {
+  ConsoleModel model = lesson();
+  model.message = {"Mit diesen Daten dauert ein Halt aus F MAX über 2 s: RAMPE größer oder F MAX kleiner wählen.",
+                   true};
+  Screen screen = draw_console(model).screen;
+  EXPECT_EQ(trimmed(screen, 20), " Mit diesen Daten dauert ein Halt aus F MAX über 2 s: RAMPE größer oder F MAX");
+  EXPECT_EQ(trimmed(screen, 21), " kleiner wählen.");
+  model.message = {"Halt aufgehoben."};
+  screen = draw_console(model).screen;
+  EXPECT_EQ(trimmed(screen, 20), "");
+  EXPECT_EQ(trimmed(screen, 21), " Halt aufgehoben.");
+}
+
+TEST(ConsoleView, INS_005_the_end_of_a_long_command_and_its_error_stay_in_sight) {
+  ConsoleModel model = lesson();
+  model.overlay = Overlay::entry;
+  model.entry = "message all " + std::string(80, 'a') + "!";
+  model.message = {std::string(100, 'b'), true};
+  const Screen screen = draw_console(model).screen;
+  EXPECT_EQ(trimmed(screen, 20), " …" + std::string(75, 'a') + "!_");
+  EXPECT_EQ(trimmed(screen, 21), " " + std::string(78, 'b'));
+  EXPECT_EQ(trimmed(screen, 22), " " + std::string(22, 'b'));
+  EXPECT_THAT(trimmed(screen, 23), HasSubstr("Ende"));
+}
+
 TEST(ConsoleView, KEY_008_a_station_under_REMOTE_says_so) {
   ConsoleModel model = lesson();
   for (auto& station : *model.status->mutable_stations()) station.set_remote(true);

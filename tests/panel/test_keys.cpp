@@ -7,6 +7,7 @@
 
 #include "bench.hpp"
 #include "panel/key_table.hpp"
+#include "panel/screen/names.hpp"
 
 namespace cnclab::panel {
 namespace {

@@ -7,6 +7,17 @@
 
 namespace cnclab::lab {
 
+namespace {
+
+/// The same for a cassette on the shelf and one in the recorder; an empty one holds 0 KB.
+std::size_t kilobytes_recorded(std::size_t stored_bytes) {
+  constexpr std::size_t kKilobyte = 1024;
+  const std::size_t recorded = stored_bytes - std::min(stored_bytes, transfer::Cassette{}.serialized().size());
+  return (recorded + kKilobyte - 1) / kKilobyte;
+}
+
+}  // namespace
+
 std::string cassette_name(int number) { return fmt::format("K{:02}", number); }
 
 std::string free_cassette_name(const std::vector<db::StoredCassette>& list) {
@@ -14,13 +25,6 @@ std::string free_cassette_name(const std::vector<db::StoredCassette>& list) {
   while (std::ranges::any_of(list, [&](const auto& cassette) { return cassette.name == cassette_name(number); }))
     ++number;
   return cassette_name(number);
-}
-
-/// The same for a cassette on the shelf and one in the recorder; an empty one holds 0 KB.
-static std::size_t kilobytes_recorded(std::size_t stored_bytes) {
-  constexpr std::size_t kKilobyte = 1024;
-  const std::size_t recorded = stored_bytes - std::min(stored_bytes, transfer::Cassette{}.serialized().size());
-  return (recorded + kKilobyte - 1) / kKilobyte;
 }
 
 std::string cassette_line(const db::StoredCassette& cassette, const std::optional<transfer::Cassette>& deck,

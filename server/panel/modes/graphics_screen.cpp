@@ -24,7 +24,7 @@ std::string status_line(const GraphicsMode& mode, language::Tongue tongue) {
   const GraphicTestView& view = mode.view;
   const auto with = [&](const std::string& way) {
     return fmt::format("P{:04} N{:03} {:>3} %  {:5}  {} {} mm  {}  {} {}", view.block.program, view.block.block,
-                       percent_text(view.progress), kViews[static_cast<std::size_t>(view.seen_from)],
+                       percent_text(view.progress), kViews[static_cast<std::size_t>(view.view)],
                        text(Text::graphics_way, tongue), way, duration_text(view.machine_time_s),
                        text(Text::graphics_findings, tongue), view.findings.size() + view.findings_left_off);
   };
