@@ -32,8 +32,8 @@ class Drawing {
   /// The station's own 24 rows, with a line over its frame that says how to leave.
   [[nodiscard]] Screen draw_watched() {
     screen_ = model_.watched.screen;
-    const Text watching{" Platz {}: Bild. t Tastatur übernehmen, jede andere Taste: zurück ",
-                        " Station {}: its screen. t takes its keyboard over, any other key: back "};
+    const Text watching{" Platz {}: Bild. t Tastatur, h MASCHINE HALT, jede andere Taste: zurück ",
+                        " Station {}: screen. t keyboard, h MACHINE HALT, any other key: back "};
     const Text typing{" Platz {}: Ihre Tastatur. F8 gibt sie zurück, F12 MASCHINE HALT ",
                       " Station {}: your keyboard. F8 gives it back, F12 MACHINE HALT "};
     const Text& text = model_.watched.is_typing ? typing : watching;
