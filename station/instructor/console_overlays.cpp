@@ -36,7 +36,7 @@ void take_back(std::string& text) {
 }
 
 Reaction send_entry(ConsoleModel& model) {
-  auto command = read_command(words_of(model.entry));
+  auto command = read_command(words_of(model.entry), model.language);
   if (!command) {
     model.message = {command.error(), true};
     return stay(model);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <vector>
 
 namespace cnclab::instructor {
 namespace {
@@ -13,6 +14,7 @@ namespace {
 using station::Text;
 
 constexpr int kMachineRow = 18, kTickRow = 19, kMessageRow = 21, kKeysRow = 23;
+constexpr int kMessageWidth = Screen::kColumns - 2;
 
 /// Columns of the table of seats.
 struct Column {
@@ -24,6 +26,42 @@ constexpr Column kSeat{2, 2, {"Pl", "St"}}, kName{5, 12, {"Name", "Name"}}, kMod
     kRunning{34, 1, {"", ""}}, kProgram{35, 10, {"Programm", "Program"}}, kLink{46, 5, {"Netz", "Line"}},
     kHand{52, 4, {"Hand", "Hand"}}, kKey{57, 9, {"Taste", "Key"}}, kErrors{67, 4, {"Fehl", "Err."}},
     kControl{72, 8, {"Maschine", "Machine"}};
+
+/// Keys whose names of interfaces.md are wider than their column.
+struct ShortName {
+  std::string_view name, text;
+};
+constexpr std::array<ShortName, 8> kShortNames{{{"KUEHLMITTEL", "KÜHLMITT."},
+                                                {"EINZELSATZ", "EINZELS."},
+                                                {"EXTERNE_DATEN", "EXT.DATEN"},
+                                                {"SATZ_SUCHEN", "S.SUCHEN"},
+                                                {"SPEICHER_LOESCHEN", "SP.LÖSCH."},
+                                                {"HANDEINGABE", "HANDEING."},
+                                                {"SATZ_LOESCHEN", "S.LÖSCHEN"},
+                                                {"MASCHINE_HALT", "M. HALT"}}};
+
+std::string_view short_name(std::string_view key) {
+  const auto* const found = std::ranges::find(kShortNames, key, &ShortName::name);
+  return found == kShortNames.end() ? key : found->text;
+}
+
+/// A sentence as lines of at most `width` columns, cut between words where there are blanks.
+std::vector<std::string> folded(const std::string& sentence, std::size_t width) {
+  std::vector<std::string> lines;
+  std::u32string rest = from_utf8(sentence);
+  while (!rest.empty()) {
+    std::size_t end = rest.size();
+    if (end > width) {
+      const auto blank = rest.rfind(U' ', width);
+      end = blank == std::u32string::npos || blank == 0 ? width : blank;
+    }
+    std::string& line = lines.emplace_back();
+    for (const char32_t code : rest.substr(0, end)) line += to_utf8(code);
+    rest.erase(0, end);
+    rest.erase(0, std::min(rest.find_first_not_of(U' '), rest.size()));
+  }
+  return lines;
+}
 
 class Drawing {
  public:
@@ -107,7 +145,7 @@ class Drawing {
     put(kMode, at_seat->mode());
     if (at_seat->program() != 0) put(kProgram, fmt::format("P{:04} N{:03}", at_seat->program(), at_seat->block()));
     if (at_seat->running()) put(kRunning, "●");
-    put(kKey, at_seat->last_key());
+    put(kKey, short_name(at_seat->last_key()));
     if (at_seat->errors_last_minute() != 0) put(kErrors, fmt::format("{:3}", at_seat->errors_last_minute()));
     put(kLink, at_seat->connected() ? say({"ja", "yes"}) : say({"FEHLT", "LOST"}));
     if (at_seat->meldung() != 0) put(kHand, fmt::format("{}.", at_seat->meldung()));
@@ -178,8 +216,7 @@ class Drawing {
   void draw_message() {
     if (model_.overlay == Overlay::entry) {
       screen_.write(kMessageRow, 1, ":" + model_.entry + "_", Attribute::bold, Screen::kColumns - 2);
-      screen_.write(kMessageRow + 1, 1, model_.message.text, Attribute::inverse, Screen::kColumns - 2);
-      return;
+      return draw_lines(kMessageRow + 1, Attribute::inverse);
     }
     if (model_.overlay == Overlay::ask_quit && model_.status) {
       const Text question{"Platz {} hat die Steuerung und behält sie. Beenden? j/n",
@@ -189,13 +226,22 @@ class Drawing {
       return;
     }
     const auto attribute = model_.message.is_error ? Attribute::inverse : Attribute::normal;
-    screen_.write(kMessageRow, 1, model_.message.text, attribute, Screen::kColumns - 2);
+    const bool is_long = folded(model_.message.text, kMessageWidth).size() > 1;
+    draw_lines(is_long ? kMessageRow - 1 : kMessageRow, attribute);
+  }
+
+  /// The message in up to two rows.
+  void draw_lines(int row, Attribute attribute) {
+    auto lines = folded(model_.message.text, kMessageWidth);
+    lines.resize(std::min<std::size_t>(lines.size(), 2));
+    for (const auto& line : lines) screen_.write(row++, 1, line, attribute, kMessageWidth);
   }
 
   void draw_keys() {
+    if (model_.overlay == Overlay::entry && !model_.message.text.empty()) return;  // its rows tell what is wrong
     if (model_.overlay != Overlay::entry)
       screen_.write(kKeysRow - 1, 1,
-                    say({"w Bild  t Tastatur  l sperren  v allen zeigen  m Nachricht  x abmelden  : Befehl",
+                    say({"w Bild  t Tastatur  l sperren  v an alle  m Nachricht  x abmelden  : Befehl",
                          "w watch  t keyboard  l lock  v show to all  m message  x expel  : command"}),
                     Attribute::dim, Screen::kColumns - 1);
     screen_.write(kKeysRow, 1,
@@ -209,7 +255,7 @@ class Drawing {
         {"1-9 ↑ ↓ Maus  Platz wählen            s Enter  Maschine anbieten (S: mit Halt)",
          "1-9 ↑ ↓ mouse choose a seat           s Enter  offer the machine (S: stops it)"},
         {"r             zurücknehmen (R: mit Halt)    p  Antriebe stromlos, wieder ein",
-         "r             take it back (R: stops it)    p  drives without current, on again"},
+         "r             take it back (R: stops it)    p  drives without current, and on"},
         {"F12 h         MASCHINE HALT: Rampe, Spindel und Kühlmittel aus; c hebt ihn auf",
          "F12 h         MACHINE HALT: ramp, spindle and coolant off; c clears it"},
         {"w             Bild des Platzes ansehen      v  sein Bild allen zeigen, v endet",
@@ -232,12 +278,12 @@ class Drawing {
         {"q             Konsole beenden", "q             quit the console"},
         {"F12 und p ersetzen kein NOT-HALT: der ist ein Schalter an der Maschine.",
          "F12 and p are no emergency stop: that is a switch at the machine."},
-        {"► steuert die Maschine  ● läuft  Hand: Reihenfolge  Fehl: in der letzten Minute",
+        {"► hat die Maschine  ● läuft  Hand: Reihenfolge  Fehl: in der letzten Minute",
          "► has the machine  ● runs  Hand: order of hands  Err.: in the last minute"},
         {"Jede Taste schließt diese Seite.", "Any key closes this page."},
     }};
     int row = kFirstSeatRow;
-    for (const auto& line : kLines) screen_.write(row++, 2, say(line));
+    for (const auto& line : kLines) screen_.write(row++, 1, say(line));
   }
 
   const ConsoleModel& model_;

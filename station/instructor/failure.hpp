@@ -7,7 +7,8 @@ namespace cnclab::instructor {
 
 inline constexpr int kRefused = 1;  ///< the server refused the command, or its answer could not be kept
 
-/// exit_code   1 for a refused command, else as the station's (interfaces.md section 3)
+/// exit_code   of the console: 1 for a refused command, else as the station's (interfaces.md section 3); one-shot
+///             commands end with 1 whatever it is
 /// text        what happened, where, what to do; for stderr behind "error: "
 struct Failure {
   int exit_code = kRefused;

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "station/client.hpp"
+#include "station/utf8.hpp"
 
 namespace cnclab::instructor {
 namespace {
@@ -63,6 +64,10 @@ std::expected<std::string, Failure> password_in(const std::filesystem::path& fil
     return std::unexpected(Failure{kUsage, file.string() + ": no password in the first line of the file"});
   }
   if (line.ends_with('\r')) line.pop_back();
+  if (station::line_not_utf8(line)) {
+    const auto why = station::kNotUtf8.in(station::language_of_locale());
+    return std::unexpected(Failure{kUsage, file.string() + ":1: " + std::string(why)});
+  }
   return line;
 }
 
@@ -83,7 +88,9 @@ std::optional<std::string> ask_secret(const std::string& question) {
   auto secret = read_line(terminal.get());
   std::fseek(terminal.get(), 0, SEEK_CUR);
   write(terminal.get(), "\n");
-  return secret;
+  if (!secret || !station::line_not_utf8(*secret)) return secret;
+  write(terminal.get(), std::string(station::kNotUtf8Typed.in(station::language_of_locale())) + "\n");
+  return std::nullopt;
 }
 
 std::optional<std::string> ask_new_password() {

@@ -52,9 +52,51 @@ ConsoleModel lesson() {
 TEST(ConsoleView, INS_001_every_seat_has_a_line_with_who_what_and_control) {
   const Screen screen = draw_console(lesson()).screen;
   EXPECT_EQ(trimmed(screen, 1), "  Pl Name         Betriebsart      Programm   Netz  Hand Taste     Fehl Maschine");
-  EXPECT_EQ(trimmed(screen, 8), "   7 anna         AUTOMAT         ●P0001 N003 ja         EINZELSAT      ►");
+  EXPECT_EQ(trimmed(screen, 8), "   7 anna         AUTOMAT         ●P0001 N003 ja         EINZELS.       ►");
   EXPECT_EQ(trimmed(screen, 10), "   9 otto         EINGABEMODUS                FEHLT 1.               2");
   EXPECT_EQ(trimmed(screen, 16), "  15 (frei)");
+}
+
+TEST(ConsoleView, INS_001_the_name_of_every_key_fits_its_column) {
+  for (int number = 1; number <= kKeys; ++number) {
+    const std::string name(name_of(static_cast<Key>(number)));
+    ConsoleModel model = lesson();
+    model.status->mutable_stations(0)->set_last_key(name);
+    const Screen screen = draw_console(model).screen;
+    std::string shown;
+    for (int column = 57; column < 67; ++column) shown += to_utf8(screen.at(8, column).code);
+    shown.erase(shown.find_last_not_of(' ') + 1);
+    if (name.size() <= 9)
+      EXPECT_EQ(shown, name);
+    else
+      EXPECT_FALSE(name.starts_with(shown)) << "cut: " << shown;
+  }
+}
+
+TEST(ConsoleView, INS_001_no_line_of_the_help_and_of_the_keys_is_cut) {
+  for (const auto language : {station::Language::german, station::Language::english}) {
+    ConsoleModel model = lesson();
+    model.language = language;
+    for (const Overlay overlay : {Overlay::none, Overlay::help}) {
+      model.overlay = overlay;
+      const Screen screen = draw_console(model).screen;
+      for (int row = 2; row < Screen::kRows; ++row)
+        EXPECT_EQ(screen.at(row, Screen::kColumns - 1).code, U' ') << screen.text(row);
+    }
+  }
+  ConsoleModel german = lesson();
+  EXPECT_THAT(draw_console(german).screen.text(22), HasSubstr(": Befehl "));
+  german.overlay = Overlay::help;
+  EXPECT_THAT(draw_console(german).screen.text(16), HasSubstr("in der letzten Minute "));
+}
+
+TEST(ConsoleView, AUTH_004_a_long_refusal_is_folded_into_two_rows) {
+  ConsoleModel model = lesson();
+  model.message = {"Mit diesen Daten dauert ein Halt aus F MAX über 2 s: RAMPE größer oder F MAX kleiner wählen.",
+                   true};
+  const Screen screen = draw_console(model).screen;
+  EXPECT_THAT(trimmed(screen, 20), HasSubstr("Mit diesen Daten dauert"));
+  EXPECT_THAT(trimmed(screen, 21), testing::EndsWith("kleiner wählen."));
 }
 
 TEST(ConsoleView, KEY_008_a_station_under_REMOTE_says_so) {

@@ -49,6 +49,38 @@ TEST_F(Commands, INS_004_an_import_with_errors_names_every_line_and_adds_nobody)
   EXPECT_EQ(must({"students"}).objects.size(), 2U) << "lehrer and otto";
 }
 
+TEST_F(Commands, INS_004_a_file_that_is_not_UTF_8_is_refused_with_its_line_and_nothing_is_sent) {
+  const auto roster = file("latin1.csv", "name,password,language\nm\xfcller,,\n");
+  const OneShot refused = ask({"import", roster});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.errors, testing::StartsWith("error: " + roster + ":2: "));
+  EXPECT_THAT(refused.errors, testing::Not(HasSubstr("protobuf")));
+  Instructor instructor = room_.instructor();
+  instructor.options().password_file = file("latin1-password", "gr\xfc\xdf");
+  const OneShot unreadable = instructor.run({"students"});
+  EXPECT_EQ(unreadable.exit_code, 1);
+  EXPECT_THAT(unreadable.errors, HasSubstr(":1: "));
+}
+
+TEST_F(Commands, INS_005_whatever_fails_a_command_prints_error_and_exits_1) {
+  const auto fails = [](const Instructor& instructor, const std::vector<std::string>& arguments) {
+    const OneShot failed = instructor.run(arguments);
+    EXPECT_EQ(failed.exit_code, 1) << failed.errors;
+    EXPECT_THAT(failed.errors, testing::StartsWith("error: "));
+    EXPECT_EQ(failed.output, "");
+  };
+  fails(room_.instructor(), {"select", "3"});
+  fails(room_.instructor(), {"select", "16"});
+  fails(room_.instructor(), {"bogus"});
+  Instructor unreachable = room_.instructor(), wrong_password = room_.instructor(), other_server = room_.instructor();
+  unreachable.options().server = "127.0.0.1:1";
+  fails(unreachable, {"status"});
+  wrong_password.options().password_file = file("wrong", "not the password");
+  fails(wrong_password, {"status"});
+  other_server.options().fingerprint = "SHA256:" + std::string(43, 'A');
+  fails(other_server, {"status"});
+}
+
 TEST_F(Commands, INS_004_a_renamed_student_logs_in_by_the_new_name_with_all_programs) {
   room_.add_student("anna", {"P0001\nN001G00X+1000\n"});
   must({"student", "rename", "anna", "anne"});
@@ -64,7 +96,7 @@ TEST_F(Commands, DEC_08_a_student_has_the_model_and_the_language_that_the_instru
   EXPECT_TRUE(anna.shows("CNC 3250")) << anna.text();
   EXPECT_TRUE(anna.shows("all keys")) << anna.text();
   EXPECT_EQ(ask({"student", "set", "nobody", "--model", "3300"}).exit_code, 1);
-  EXPECT_EQ(ask({"student", "set", "anna"}).exit_code, 2);
+  EXPECT_EQ(ask({"student", "set", "anna"}).exit_code, 1);
 }
 
 TEST_F(Commands, INS_003_programs_are_sent_to_all_and_collected_from_all) {
@@ -190,6 +222,8 @@ TEST_F(Commands, INS_002_watch_prints_the_stations_screen_as_it_changes) {
   ASSERT_TRUE(read_until("end"));
   anna.key("EINGABE");
   EXPECT_TRUE(read_until("EINGABEMODUS"));
+  must({"expel", "1"});
+  EXPECT_TRUE(read_until("An Platz 1 ist niemand angemeldet."));
 }
 
 TEST_F(Commands, STO_007_runs_on_both_machines_are_recorded_and_replayed_to_the_same_trajectory) {

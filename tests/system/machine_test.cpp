@@ -145,7 +145,7 @@ TEST_F(LabMachine, HW_022_the_instructors_input_goes_to_the_labs_machine) {
   anna.wait_for("X  +0001.000");
   EXPECT_TRUE(anna.shows("01000000")) << "the inputs of card 1 as they are now: " << anna.text();
   ask({"input", "0", "off"});
-  EXPECT_EQ(room_.instructor().run({"input", "19", "on"}).exit_code, 2);
+  EXPECT_EQ(room_.instructor().run({"input", "19", "on"}).exit_code, 1);
 }
 
 TEST_F(LabMachine, DEC_24_rapids_into_the_workpiece_and_a_spindle_that_stands_are_told) {
