@@ -4,7 +4,7 @@ include(GNUInstallDirs)
 # What is built is installed: no rebuild of tests for a package.
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 install(TARGETS cnclab-server cnclab-station cnclab-instructor cnclab-tool RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md")
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR} FILES_MATCHING PATTERN "*.md" PATTERN "*.cnc")
 install(FILES packaging/cnclab-server.service DESTINATION lib/systemd/system)
 
 # Every key with its comment, as the server itself prints it.

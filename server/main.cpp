@@ -118,49 +118,67 @@ void serve_lines(SerialLines& lines, asio::io_context& loop, const std::string& 
   lines.device->start();
 }
 
+/// Everything at which somebody may knock; bound before there is a lab to serve, so that a wrong address ends the
+/// start.
+struct Doors {
+  std::unique_ptr<net::Server> server;
+  SerialLines lines;
+  std::unique_ptr<net::Metrics> metrics;
+};
+
+std::expected<Doors, std::string> open_doors(asio::io_context& loop, const lab::Configuration& configuration,
+                                             const Certificate& certificate) {
+  Doors doors;
+  auto server = net::Server::listen(loop, configuration.listen, certificate);
+  if (!server) return std::unexpected(server.error());
+  doors.server = std::move(*server);
+  auto lines = listen_for_lines(loop, configuration, certificate);
+  if (!lines) return std::unexpected(lines.error());
+  doors.lines = std::move(*lines);
+  if (configuration.metrics.empty()) return doors;
+  auto metrics = net::Metrics::listen(loop, configuration.metrics);
+  if (!metrics) return std::unexpected(metrics.error());
+  doors.metrics = std::move(*metrics);
+  return doors;
+}
+
+void serve_at(Doors& doors, asio::io_context& loop, const lab::Configuration& configuration, lab::Lab& lab) {
+  doors.server->serve(lab);
+  serve_lines(doors.lines, loop, configuration.dnc_device, lab);
+  if (!doors.metrics) return;
+  doors.metrics->serve([&lab] { return lab.metrics(); });
+  spdlog::info("metrics: http://{}/metrics", doors.metrics->address());
+}
+
 int serve(const lab::Configuration& configuration) {
   auto folder = open_data_folder(configuration.data);
   if (!folder) return fail(folder.error());
   // Before anything else can fail: it is shown this one time only.
   if (folder->first_password)
     std::cout << "instructor lehrer one-time-password " << *folder->first_password << std::endl;
-  asio::io_context loop(1);
-  auto server = net::Server::listen(loop, configuration.listen, folder->certificate);
-  if (!server) return fail(server.error());
   const auto fingerprint = fingerprint_of(folder->certificate.certificate_pem);
   if (!fingerprint) return fail(fingerprint.error());
-
-  auto lines = listen_for_lines(loop, configuration, folder->certificate);
-  if (!lines) return fail(lines.error());
-  std::unique_ptr<net::Metrics> metrics;
-  if (!configuration.metrics.empty()) {
-    auto listening = net::Metrics::listen(loop, configuration.metrics);
-    if (!listening) return fail(listening.error());
-    metrics = std::move(*listening);
-  }
+  asio::io_context loop(1);
+  auto doors = open_doors(loop, configuration, folder->certificate);
+  if (!doors) return fail(doors.error());
 
   const db::Post post = [&loop](std::function<void()> job) { asio::post(loop, std::move(job)); };
   machine::TickThread ticks;
   log_privileges(ticks);
   db::Store store(std::move(folder->database), post);
   lab::Lab lab(configuration, store, ticks, post, lab::system_clock(), folder->inheritance);
-  (*server)->serve(lab);
-  serve_lines(*lines, loop, configuration.dnc_device, lab);
-  if (metrics) {
-    metrics->serve([&lab] { return lab.metrics(); });
-    spdlog::info("metrics: http://{}/metrics", metrics->address());
-  }
+  serve_at(*doors, loop, configuration, lab);
   asio::steady_timer stopping(loop);
   asio::signal_set signals(loop, SIGINT, SIGTERM);
   signals.async_wait([&](const boost::system::error_code& error, int signal) {
     if (error) return;
     spdlog::info("signal {}: the machine comes to rest, then the server ends", signal);
     lab.release_machine();
-    lines->stop();
-    stop_when_at_rest(loop, **server, lab, stopping, 400);
+    doors->lines.stop();
+    stop_when_at_rest(loop, *doors->server, lab, stopping, 400);
   });
   // Last of all: whoever has read it may already send a signal.
-  std::cout << "listening " << (*server)->address() << " fingerprint " << *fingerprint << std::endl;
+  std::cout << "listening " << doors->server->address() << " fingerprint " << *fingerprint << std::endl;
   loop.run();
   return 0;
 }

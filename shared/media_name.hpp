@@ -19,9 +19,9 @@ enum class MediaKind : std::uint8_t {
 };
 
 inline constexpr std::size_t kLongestMediaName = 64;
-inline constexpr std::size_t kLargestMediaWritten = 4 * 1'048'576;  ///< bytes of a file that a station is to write
-inline constexpr std::size_t kLargestMediaRead = 1'048'576;         ///< … is to send: the size of a cassette
-inline constexpr std::size_t kMostMediaNames = 4;                   ///< that one request may try in turn
+inline constexpr std::size_t kLargestMediaWritten = 4UL * 1'048'576;  ///< bytes of a file that a station is to write
+inline constexpr std::size_t kLargestMediaRead = 1'048'576;           ///< … is to send: the size of a cassette
+inline constexpr std::size_t kMostMediaNames = 4;                     ///< that one request may try in turn
 
 /// 1 to 64 characters of A–Z a–z 0–9 "_" "-" ".", a known ending, a stem that is not empty. No folders, no hidden
 /// files, nothing that begins with "-" or holds "..", no device of any system (CON, LPT1, …).

@@ -102,6 +102,12 @@ std::string to_utf8(char32_t code) {
   return {static_cast<char>(0xF0U | (code >> 18)), tail(12), tail(6), tail(0)};
 }
 
+std::string to_utf8(std::u32string_view text) {
+  std::string utf8;
+  for (const char32_t code : text) utf8 += to_utf8(code);
+  return utf8;
+}
+
 std::u32string from_utf8(std::string_view utf8) {
   std::u32string codes;
   while (!utf8.empty()) {

@@ -46,6 +46,7 @@ class Screen {
 
 /// UTF-8 of one code point; and back, U+FFFD for malformed bytes.
 [[nodiscard]] std::string to_utf8(char32_t code);
+[[nodiscard]] std::string to_utf8(std::u32string_view text);
 [[nodiscard]] std::u32string from_utf8(std::string_view utf8);
 
 }  // namespace cnclab

@@ -114,67 +114,50 @@ std::vector<Binding> every_binding() {
   return all;
 }
 
-Text special_name(Special special) {
-  switch (special) {
-    case enter:
-      return {"Enter", "Enter"};
-    case tab:
-      return {"Tab", "Tab"};
-    case backspace:
-      return {"Rücktaste", "Backspace"};
-    case escape:
-      return {"Esc", "Esc"};
-    case up:
-      return {"Pfeil ↑", "Arrow ↑"};
-    case down:
-      return {"Pfeil ↓", "Arrow ↓"};
-    case left:
-      return {"Pfeil ←", "Arrow ←"};
-    case right:
-      return {"Pfeil →", "Arrow →"};
-    case page_up:
-      return {"Bild↑", "PgUp"};
-    case page_down:
-      return {"Bild↓", "PgDn"};
-    case home:
-      return {"Pos1", "Home"};
-    case end:
-      return {"Ende", "End"};
-    case insert:
-      return {"Einfg", "Insert"};
-    case remove:
-      return {"Entf", "Delete"};
-    case f1:
-      return {"F1", "F1"};
-    case f2:
-      return {"F2", "F2"};
-    case f3:
-      return {"F3", "F3"};
-    case f4:
-      return {"F4", "F4"};
-    case f5:
-      return {"F5", "F5"};
-    case f6:
-      return {"F6", "F6"};
-    case f7:
-      return {"F7", "F7"};
-    case f8:
-      return {"F8", "F8"};
-    case f9:
-      return {"F9", "F9"};
-    case f10:
-      return {"F10", "F10"};
-    case f11:
-      return {"F11", "F11"};
-    case f12:
-      return {"F12", "F12"};
-    case ctrl_c:
-      return {"Strg-C", "Ctrl-C"};
-    case ctrl_l:
-      return {"Strg-L", "Ctrl-L"};
-  }
-  return {};
+struct SpecialName {
+  Special special;
+  Text name;
+};
+
+constexpr SpecialName kSpecialNames[] = {
+    {enter, {"Enter", "Enter"}},
+    {tab, {"Tab", "Tab"}},
+    {backspace, {"Rücktaste", "Backspace"}},
+    {escape, {"Esc", "Esc"}},
+    {up, {"Pfeil ↑", "Arrow ↑"}},
+    {down, {"Pfeil ↓", "Arrow ↓"}},
+    {left, {"Pfeil ←", "Arrow ←"}},
+    {right, {"Pfeil →", "Arrow →"}},
+    {page_up, {"Bild↑", "PgUp"}},
+    {page_down, {"Bild↓", "PgDn"}},
+    {home, {"Pos1", "Home"}},
+    {end, {"Ende", "End"}},
+    {insert, {"Einfg", "Insert"}},
+    {remove, {"Entf", "Delete"}},
+    {f1, {"F1", "F1"}},
+    {f2, {"F2", "F2"}},
+    {f3, {"F3", "F3"}},
+    {f4, {"F4", "F4"}},
+    {f5, {"F5", "F5"}},
+    {f6, {"F6", "F6"}},
+    {f7, {"F7", "F7"}},
+    {f8, {"F8", "F8"}},
+    {f9, {"F9", "F9"}},
+    {f10, {"F10", "F10"}},
+    {f11, {"F11", "F11"}},
+    {f12, {"F12", "F12"}},
+    {ctrl_c, {"Strg-C", "Ctrl-C"}},
+    {ctrl_l, {"Strg-L", "Ctrl-L"}},
+};
+
+constexpr bool is_every_special_named() {
+  for (std::size_t i = 0; i < std::size(kSpecialNames); ++i)
+    if (kSpecialNames[i].special != static_cast<Special>(i)) return false;
+  return std::size(kSpecialNames) == static_cast<std::size_t>(ctrl_l) + 1;
 }
+static_assert(is_every_special_named(), "the rows stand in the order of Special, which ends with ctrl_l");
+
+Text special_name(Special special) { return kSpecialNames[static_cast<std::size_t>(special)].name; }
 
 }  // namespace
 

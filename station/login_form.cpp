@@ -4,6 +4,7 @@
 #include <charconv>
 
 #include "station/cell_text.hpp"
+#include "station/form_keys.hpp"
 
 namespace cnclab::station {
 namespace {
@@ -11,14 +12,8 @@ namespace {
 constexpr std::size_t kLongestName = 32, kLongestPassword = 256;
 constexpr int kFirstField = 7, kLabel = 4, kValue = 22, kNotice = 16, kWidth = 72;
 
-std::string utf8_of(const std::u32string& text) {
-  std::string utf8;
-  for (const char32_t code : text) utf8 += to_utf8(code);
-  return utf8;
-}
-
 std::uint32_t number_of(const std::u32string& text) {
-  const std::string digits = utf8_of(text);
+  const std::string digits = to_utf8(text);
   std::uint32_t number = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), number);
   return number;
@@ -33,7 +28,7 @@ void write_wrapped(Screen& screen, int row, int column, std::string_view text, A
       const std::size_t blank = rest.rfind(U' ', end);
       if (blank != std::u32string::npos && blank > 0) end = blank;
     }
-    screen.write(row, column, utf8_of(rest.substr(0, end)), attribute);
+    screen.write(row, column, to_utf8(rest.substr(0, end)), attribute);
     rest.erase(0, end);
     if (rest.starts_with(U' ')) rest.erase(0, 1);
   }
@@ -75,29 +70,18 @@ LoginForm::State LoginForm::handle(const Input& input) {
     type(*character);
     return State::editing;
   }
-  switch (std::get<Special>(input)) {
-    case Special::escape:
-    case Special::ctrl_c:
+  switch (lead_through(std::get<Special>(input), fields_.size(), current_)) {
+    case FormAct::cancel:
       return State::cancelled;
-    case Special::backspace:
+    case FormAct::submit:
+      return submit();
+    case FormAct::erase:
       if (!fields_[current_].value.empty()) fields_[current_].value.pop_back();
       return State::editing;
-    case Special::up:
-      current_ = current_ == 0 ? 0 : current_ - 1;
-      return State::editing;
-    case Special::tab:
-      current_ = (current_ + 1) % fields_.size();
-      return State::editing;
-    case Special::down:
-      current_ = std::min(current_ + 1, fields_.size() - 1);
-      return State::editing;
-    case Special::enter:
-      if (current_ + 1 == fields_.size()) return submit();
-      ++current_;
-      return State::editing;
-    default:
+    case FormAct::none:
       return State::editing;
   }
+  return State::editing;
 }
 
 void LoginForm::type(char32_t character) {
@@ -111,12 +95,12 @@ void LoginForm::type(char32_t character) {
       if (character == U'1' || character == U'2') field.value = std::u32string(1, character);
       break;
     case FieldKind::user:
-      if (utf8_of(field.value).size() + to_utf8(character).size() <= kLongestName) field.value += character;
+      if (to_utf8(field.value).size() + to_utf8(character).size() <= kLongestName) field.value += character;
       break;
     case FieldKind::password:
     case FieldKind::new_password:
     case FieldKind::repeated:
-      if (utf8_of(field.value).size() + to_utf8(character).size() <= kLongestPassword) field.value += character;
+      if (to_utf8(field.value).size() + to_utf8(character).size() <= kLongestPassword) field.value += character;
       break;
   }
 }
@@ -159,9 +143,9 @@ bool LoginForm::is_seat_wrong() const {
 Credentials LoginForm::credentials() const {
   Credentials entered = question_.so_far;
   if (const auto* const seat = value_of(FieldKind::seat)) entered.station = number_of(*seat);
-  if (const auto* const user = value_of(FieldKind::user)) entered.user = utf8_of(*user);
-  if (const auto* const password = value_of(FieldKind::password)) entered.password = utf8_of(*password);
-  if (const auto* const fresh = value_of(FieldKind::new_password)) entered.new_password = utf8_of(*fresh);
+  if (const auto* const user = value_of(FieldKind::user)) entered.user = to_utf8(*user);
+  if (const auto* const password = value_of(FieldKind::password)) entered.password = to_utf8(*password);
+  if (const auto* const fresh = value_of(FieldKind::new_password)) entered.new_password = to_utf8(*fresh);
   if (const auto* const choice = value_of(FieldKind::elsewhere)) {
     entered.elsewhere = *choice == U"1" ? v1::ELSEWHERE_TAKE_OVER : v1::ELSEWHERE_LOOK_ON;
   }
@@ -182,7 +166,7 @@ void LoginForm::draw_field(Screen& screen, int row, std::size_t index) const {
   screen.write(row, kLabel, field.label.in(language_), is_current ? Attribute::bold : Attribute::normal);
   // A secret shows nothing, not even its length.
   const std::u32string shown = field.is_secret() ? U"" : field.value;
-  const std::string text = utf8_of(shown.size() > 40 ? shown.substr(shown.size() - 40) : shown);
+  const std::string text = to_utf8(shown.size() > 40 ? shown.substr(shown.size() - 40) : shown);
   screen.write(row, kValue + 4, text);
   if (is_current) {
     const int cursor = kValue + 4 + static_cast<int>(from_utf8(text).size());

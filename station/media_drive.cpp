@@ -5,6 +5,7 @@
 
 #include <utility>
 
+#include "shared/digest.hpp"
 #include "shared/frame.hpp"
 #include "shared/media_name.hpp"
 
@@ -17,6 +18,13 @@ v1::ClientMessage acknowledgement(std::uint32_t transfer, std::uint64_t next_off
   message.mutable_chunk_ack()->set_transfer(transfer);
   message.mutable_chunk_ack()->set_next_offset(next_offset);
   return message;
+}
+
+/// Whether the transfer may go on at the request's offset in a file of `size` bytes: the receiver has the first of
+/// `content` in the same form, and there are bytes left to travel.
+template <class Request>
+bool goes_on(const Request& request, std::string_view content, std::uint64_t size) {
+  return request.offset() < size && begins_with(content, request.offset(), request.digest());
 }
 
 }  // namespace
@@ -45,86 +53,102 @@ std::optional<v1::ClientMessage> MediaDrive::take(const v1::ServerMessage& messa
   return std::nullopt;
 }
 
+void MediaDrive::pause() {
+  transfer_.reset();
+  if (std::holds_alternative<Leaving>(work_)) work_ = std::monostate{};  // it is read anew: it may have changed by then
+}
+
 v1::ClientMessage MediaDrive::put(const v1::PutMedia& request) {
-  work_ = std::monostate{};  // before a new file is begun aside: what was there goes with its target
-  transfer_ = request.transfer();
-  if (request.size() == 0 || request.size() > kLargestMediaWritten) return failed(v1::MEDIA_FAULT_REFUSED);
+  const std::uint32_t transfer = request.transfer();
+  if (request.size() == 0 || request.size() > kLargestMediaWritten) return failed(transfer, v1::MEDIA_FAULT_REFUSED);
   const auto folder = MediaFolder::open(place_, user_);
-  if (!folder) return failed(folder.error());
-  auto target = folder->write(request.name());
-  if (!target) return failed(target.error());
-  work_.emplace<Writing>(request.size(), 0, std::move(*target));
-  return acknowledgement(transfer_, 0);
+  if (!folder) return failed(transfer, folder.error());
+  if (const auto writable = folder->may_write(request.name()); !writable) return failed(transfer, writable.error());
+  auto* const kept = std::get_if<Arriving>(&work_);
+  if (kept != nullptr && kept->name == request.name() && kept->size == request.size() &&
+      goes_on(request, kept->bytes, kept->size))
+    kept->bytes.resize(request.offset());
+  else
+    work_ = Arriving{request.name(), request.size(), {}};
+  transfer_ = transfer;
+  return acknowledgement(transfer, std::get<Arriving>(work_).bytes.size());
 }
 
 std::optional<v1::ClientMessage> MediaDrive::write(const v1::Chunk& chunk) {
-  auto* const writing = std::get_if<Writing>(&work_);
-  if (writing == nullptr || chunk.transfer() != transfer_) return std::nullopt;
-  const std::uint64_t end = writing->written + chunk.data().size();
-  const bool is_in_order = chunk.offset() == writing->written && !chunk.data().empty() &&
-                           chunk.data().size() <= kLargestChunk && end <= writing->size &&
-                           chunk.is_last() == (end == writing->size);
-  if (!is_in_order) return failed(v1::MEDIA_FAULT_REFUSED);
-  if (const auto appended = writing->target.append(chunk.data()); !appended) return failed(appended.error());
-  writing->written = end;
+  auto* const arriving = std::get_if<Arriving>(&work_);
+  if (arriving == nullptr || chunk.transfer() != transfer_) return std::nullopt;
+  const std::uint64_t end = arriving->bytes.size() + chunk.data().size();
+  const bool is_in_order = chunk.offset() == arriving->bytes.size() && !chunk.data().empty() &&
+                           chunk.data().size() <= kLargestChunk && end <= arriving->size &&
+                           chunk.is_last() == (end == arriving->size);
+  if (!is_in_order) return failed(chunk.transfer(), v1::MEDIA_FAULT_REFUSED);
+  arriving->bytes += chunk.data();
   if (chunk.is_last()) {
-    if (const auto finished = writing->target.finish(); !finished) return failed(finished.error());
-    work_ = std::monostate{};
+    if (const auto stored = store(*arriving); !stored) return failed(chunk.transfer(), stored.error());
+    transfer_.reset();
   }
-  return acknowledgement(transfer_, end);
+  return acknowledgement(chunk.transfer(), end);
+}
+
+std::expected<void, v1::MediaFault> MediaDrive::store(const Arriving& file) const {
+  const auto folder = MediaFolder::open(place_, user_);
+  if (!folder) return std::unexpected(folder.error());
+  return folder->write(file.name, file.bytes);
 }
 
 v1::ClientMessage MediaDrive::get(const v1::GetMedia& request) {
-  work_ = std::monostate{};
-  transfer_ = request.transfer();
+  const std::uint32_t transfer = request.transfer();
   if (request.names().empty() || static_cast<std::size_t>(request.names_size()) > kMostMediaNames)
-    return failed(v1::MEDIA_FAULT_REFUSED);
+    return failed(transfer, v1::MEDIA_FAULT_REFUSED);
   const auto folder = MediaFolder::open(place_, user_);
-  if (!folder) return failed(folder.error());
+  if (!folder) return failed(transfer, folder.error());
   for (const std::string& name : request.names()) {
-    auto source = folder->read(name);
-    if (!source && source.error() == v1::MEDIA_FAULT_NOT_FOUND) continue;
-    if (!source) return failed(source.error());
-    work_.emplace<Sending>(0, std::move(*source));
-    return send_next();
+    auto bytes = folder->read(name);
+    if (!bytes && bytes.error() == v1::MEDIA_FAULT_NOT_FOUND) continue;
+    if (!bytes) return failed(transfer, bytes.error());
+    const std::uint64_t offset = goes_on(request, *bytes, bytes->size()) ? request.offset() : 0;
+    transfer_ = transfer;
+    return send_next(transfer, work_.emplace<Leaving>(std::move(*bytes), offset));
   }
-  return failed(v1::MEDIA_FAULT_NOT_FOUND);
+  return failed(transfer, v1::MEDIA_FAULT_NOT_FOUND);
 }
 
 std::optional<v1::ClientMessage> MediaDrive::acknowledged(const v1::ChunkAck& ack) {
   if (ack.transfer() != transfer_) return std::nullopt;
   if (ack.abort()) {
-    work_ = std::monostate{};
+    forget();
     return std::nullopt;
   }
-  auto* const sending = std::get_if<Sending>(&work_);
-  if (sending == nullptr) return std::nullopt;
-  if (ack.next_offset() != sending->sent) return failed(v1::MEDIA_FAULT_REFUSED);
-  if (!sending->source.is_at_end()) return send_next();
-  work_ = std::monostate{};
+  auto* const leaving = std::get_if<Leaving>(&work_);
+  if (leaving == nullptr) return std::nullopt;
+  if (ack.next_offset() != leaving->sent) return failed(ack.transfer(), v1::MEDIA_FAULT_REFUSED);
+  if (leaving->sent < leaving->bytes.size()) return send_next(ack.transfer(), *leaving);
+  forget();
   return std::nullopt;
 }
 
-v1::ClientMessage MediaDrive::send_next() {
-  auto& sending = std::get<Sending>(work_);
-  auto bytes = sending.source.next(kLargestChunk);
-  if (!bytes) return failed(bytes.error());
+v1::ClientMessage MediaDrive::send_next(std::uint32_t transfer, Leaving& file) {
   v1::ClientMessage message;
   v1::Chunk& chunk = *message.mutable_chunk();
-  chunk.set_transfer(transfer_);
-  chunk.set_offset(sending.sent);
-  sending.sent += bytes->size();
-  chunk.set_data(std::move(*bytes));
-  chunk.set_is_last(sending.source.is_at_end());
+  chunk.set_transfer(transfer);
+  chunk.set_offset(file.sent);
+  chunk.set_data(file.bytes.substr(file.sent, kLargestChunk));
+  file.sent += chunk.data().size();
+  chunk.set_is_last(file.sent == file.bytes.size());
   return message;
 }
 
-v1::ClientMessage MediaDrive::failed(v1::MediaFault fault) {
-  work_ = std::monostate{};
+v1::ClientMessage MediaDrive::failed(std::uint32_t transfer, v1::MediaFault fault) {
+  forget();
   v1::ClientMessage message;
-  message.mutable_media_failed()->set_transfer(transfer_);
+  message.mutable_media_failed()->set_transfer(transfer);
   message.mutable_media_failed()->set_fault(fault);
   return message;
+}
+
+void MediaDrive::forget() {
+  transfer_.reset();
+  work_ = std::monostate{};
 }
 
 }  // namespace cnclab::station

@@ -4,6 +4,8 @@
 
 #include <cnclab/v1/bulk.pb.h>
 
+#include <cstdint>
+#include <expected>
 #include <optional>
 #include <string>
 #include <variant>
@@ -17,36 +19,47 @@ class ServerMessage;
 
 namespace cnclab::station {
 
-/// Reads and writes as they are asked for, at once: a chunk is 4 KiB. A new transfer takes the place of one that is
-/// under way. One thread.
+/// A file is fetched whole before anything is written, and read whole before anything is sent: of one that was cut off
+/// or changes meanwhile nothing half stands anywhere. Holds the bytes of one file, at most kLargestMediaWritten, until
+/// the next transfer takes its place, the server breaks it off or the drive ends. One thread.
 class MediaDrive {
  public:
   MediaDrive(MediaPlace place, std::string user) : place_(std::move(place)), user_(std::move(user)) {}
+
+  /// Whose files these are: another user needs another drive.
+  [[nodiscard]] const std::string& user() const { return user_; }
 
   /// PutMedia, GetMedia, Chunk and ChunkAck; others, and those of a transfer that is over, are passed over.
   /// returns   what is to be sent
   [[nodiscard]] std::optional<v1::ClientMessage> take(const v1::ServerMessage& message);
 
+  /// The connection is gone. What has come of a file is kept for the same user's next one.
+  void pause();
+
  private:
-  struct Writing {
-    std::uint64_t size = 0, written = 0;
-    MediaTarget target;
+  /// It stays when the last chunk was acknowledged: whether that arrives is not known.
+  struct Arriving {
+    std::string name;
+    std::uint64_t size = 0;  ///< as announced
+    std::string bytes;       ///< what has come of it
   };
-  struct Sending {
+  struct Leaving {
+    std::string bytes;
     std::uint64_t sent = 0;
-    MediaSource source;
   };
   [[nodiscard]] v1::ClientMessage put(const v1::PutMedia& request);
   [[nodiscard]] v1::ClientMessage get(const v1::GetMedia& request);
   [[nodiscard]] std::optional<v1::ClientMessage> write(const v1::Chunk& chunk);
   [[nodiscard]] std::optional<v1::ClientMessage> acknowledged(const v1::ChunkAck& ack);
-  [[nodiscard]] v1::ClientMessage send_next();
-  [[nodiscard]] v1::ClientMessage failed(v1::MediaFault fault);
+  [[nodiscard]] std::expected<void, v1::MediaFault> store(const Arriving& file) const;
+  [[nodiscard]] v1::ClientMessage send_next(std::uint32_t transfer, Leaving& file);
+  [[nodiscard]] v1::ClientMessage failed(std::uint32_t transfer, v1::MediaFault fault);
+  void forget();
 
   MediaPlace place_;
   std::string user_;
-  std::uint32_t transfer_ = 0;
-  std::variant<std::monostate, Writing, Sending> work_;
+  std::optional<std::uint32_t> transfer_;  ///< that is under way
+  std::variant<std::monostate, Arriving, Leaving> work_;
 };
 
 }  // namespace cnclab::station

@@ -3,6 +3,10 @@
 // nothing but an ordinary file is read or replaced.
 //
 //   write   ".cnclab-PID.part" in the folder ── whole, on disk ──▶ renamed, in one step, to the file's name
+//
+// Bytes that are still on their way are none of the folder's business: a file is read at once and written at once, so
+// that only a process that is killed in the very moment of writing leaves such a part. The next one to write removes
+// it.
 #pragma once
 
 #include <cnclab/v1/media.pb.h>
@@ -10,7 +14,6 @@
 #include <cstdint>
 #include <expected>
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <string_view>
 
@@ -41,51 +44,28 @@ class Descriptor {
   int number_;
 };
 
-/// A file that is read from its beginning to its end.
-class MediaSource {
- public:
-  MediaSource(Descriptor file, std::uint64_t size) : file_(std::move(file)), left_(size) {}
-  /// At most so many bytes, fewer at the end only. errors: NOT_READABLE, also where the file has become shorter
-  [[nodiscard]] std::expected<std::string, v1::MediaFault> next(std::size_t most);
-  [[nodiscard]] bool is_at_end() const { return left_ == 0; }
-
- private:
-  Descriptor file_;
-  std::uint64_t left_;
-};
-
-/// A file that is being written aside. What is not finished leaves nothing behind.
-class MediaTarget {
- public:
-  MediaTarget(std::shared_ptr<const Descriptor> folder, Descriptor file, std::string aside, std::string name);
-  MediaTarget(MediaTarget&&) noexcept = default;
-  MediaTarget& operator=(MediaTarget&&) noexcept = default;
-  ~MediaTarget();
-  /// errors: NO_ROOM, NOT_WRITABLE
-  [[nodiscard]] std::expected<void, v1::MediaFault> append(std::string_view bytes);
-  /// The file stands under its name, on disk.
-  [[nodiscard]] std::expected<void, v1::MediaFault> finish();
-
- private:
-  std::shared_ptr<const Descriptor> folder_;
-  Descriptor file_;
-  std::string aside_, name_;  ///< `aside_` is empty once it was renamed
-};
-
 class MediaFolder {
  public:
   /// errors: NO_FOLDER
   [[nodiscard]] static std::expected<MediaFolder, v1::MediaFault> open(const MediaPlace& place, std::string_view user);
 
-  /// name     judged here
+  /// All bytes of the file as it stands now: 1..kLargestMediaRead.
+  /// name     judged here, as in the others
   /// errors   NOT_FOUND, NOT_READABLE, TOO_LARGE, REFUSED
-  [[nodiscard]] std::expected<MediaSource, v1::MediaFault> read(const std::string& name) const;
+  [[nodiscard]] std::expected<std::string, v1::MediaFault> read(const std::string& name) const;
+  /// Whether it is worth while to fetch the bytes of that file.
+  /// errors   NOT_WRITABLE, REFUSED
+  [[nodiscard]] std::expected<void, v1::MediaFault> may_write(const std::string& name) const;
+  /// The file stands under its name, whole and on disk; on an error what stood there before.
   /// errors   NO_ROOM, NOT_WRITABLE, REFUSED
-  [[nodiscard]] std::expected<MediaTarget, v1::MediaFault> write(const std::string& name) const;
+  [[nodiscard]] std::expected<void, v1::MediaFault> write(const std::string& name, std::string_view bytes) const;
 
  private:
-  explicit MediaFolder(std::shared_ptr<const Descriptor> folder) : folder_(std::move(folder)) {}
-  std::shared_ptr<const Descriptor> folder_;
+  explicit MediaFolder(Descriptor folder) : folder_(std::move(folder)) {}
+  [[nodiscard]] std::expected<void, v1::MediaFault> write_aside(const std::string& aside, std::string_view bytes) const;
+  [[nodiscard]] std::expected<void, v1::MediaFault> give_name(const std::string& aside, const std::string& name) const;
+
+  Descriptor folder_;
 };
 
 }  // namespace cnclab::station

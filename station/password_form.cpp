@@ -1,9 +1,8 @@
 // Editing the three fields and drawing them.
 #include "station/password_form.hpp"
 
-#include <algorithm>
-
 #include "station/cell_text.hpp"
+#include "station/form_keys.hpp"
 
 namespace cnclab::station {
 namespace {
@@ -29,27 +28,18 @@ PasswordForm::State PasswordForm::handle(const Input& input, Language language) 
     if (value.size() + typed.size() <= kLongest) value += typed;
     return State::editing;
   }
-  switch (std::get<Special>(input)) {
-    case Special::escape:
-    case Special::ctrl_c:
+  switch (lead_through(std::get<Special>(input), values_.size(), current_)) {
+    case FormAct::cancel:
       return State::cancelled;
-    case Special::backspace:
+    case FormAct::submit:
+      return submit(language);
+    case FormAct::erase:
       remove_last_character(value);
       return State::editing;
-    case Special::up:
-      current_ -= std::min<std::size_t>(current_, 1);
-      return State::editing;
-    case Special::tab:
-    case Special::down:
-      current_ = std::min(current_ + 1, values_.size() - 1);
-      return State::editing;
-    case Special::enter:
-      if (current_ + 1 == values_.size()) return submit(language);
-      ++current_;
-      return State::editing;
-    default:
+    case FormAct::none:
       return State::editing;
   }
+  return State::editing;
 }
 
 PasswordForm::State PasswordForm::submit(Language language) {

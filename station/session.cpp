@@ -36,13 +36,16 @@ Session::Session(Door door, LoggedIn login, Broadcast& changed, Relogin relogin,
 
 Session::~Session() = default;
 
-// Everything counts from the beginning again: numbers, beats and the screen that the server compares with.
+// Everything counts from the beginning again: numbers, beats and the screen that the server compares with. Only what
+// has come of a file is kept.
 void Session::begin(LoggedIn login) {
   client_ = std::move(login.client);
   ticket_ = login.answer.ticket();
   language_ = language_named(login.answer.language().empty() ? client_.welcome().language() : login.answer.language());
-  media_.reset();
-  if (door_.media && may_press()) media_.emplace(*door_.media, login.answer.user());
+  if (!door_.media || !may_press())
+    media_.reset();
+  else if (!media_ || media_->user() != login.answer.user())
+    media_.emplace(*door_.media, login.answer.user());
   screen_ = Screen();
   last_number_ = handled_key_ = last_beat_ = state_ = 0;
   outgoing_.clear();
@@ -62,7 +65,7 @@ asio::awaitable<Ending> Session::run() {
 
 void Session::lose() {
   client_.close();
-  media_.reset();  // what was half written goes: the server asks again
+  if (media_) media_->pause();  // the server asks again
   is_connected_ = is_online_ = has_alarm_tone_ = is_password_wanted_ = false;
   lost_since_ = Clock::now();
   outgoing_.clear();
@@ -207,6 +210,7 @@ asio::awaitable<std::optional<Ending>> Session::come_back_once() {
 
 asio::awaitable<std::optional<Ending>> Session::log_in_anew(v1::LoginAnswer why) {
   auto login = co_await relogin_(std::move(why));
+  media_.reset();  // nothing of the former session goes on
   if (login) {
     begin(std::move(*login));
     co_return std::nullopt;

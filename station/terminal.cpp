@@ -1,4 +1,4 @@
-// ncurses behind our own types; no other file of the station includes its header.
+// ncurses behind our own types: the rest of the station knows nothing of it.
 #include "station/terminal.hpp"
 
 #define NCURSES_NOMACROS 1
@@ -13,6 +13,7 @@
 #include <string>
 
 #include "station/cell_text.hpp"
+#include "station/curses_attribute.hpp"
 
 namespace cnclab::station {
 
@@ -80,20 +81,6 @@ std::optional<Input> character_input(wint_t code) {
   }
   if (code < 0x20) return std::nullopt;
   return static_cast<char32_t>(code);
-}
-
-attr_t attributes_of(Attribute attribute) {
-  switch (attribute) {
-    case Attribute::normal:
-      return A_NORMAL;
-    case Attribute::inverse:
-      return A_REVERSE;
-    case Attribute::bold:
-      return A_BOLD;
-    case Attribute::dim:
-      return A_DIM;
-  }
-  return A_NORMAL;
 }
 
 }  // namespace
@@ -206,7 +193,7 @@ void Terminal::write(int row, int column, std::string_view utf8, Attribute attri
   std::wstring text;
   for (const char32_t code : codes) text += static_cast<wchar_t>(shown_code(code, is_ascii_));
   const auto pair = static_cast<short>(has_colour_ ? static_cast<int>(colour) : 0);
-  ::wattr_set(stdscr, attributes_of(attribute), pair, nullptr);
+  ::wattr_set(stdscr, curses_attribute(attribute), pair, nullptr);
   ::mvwaddnwstr(stdscr, row, column, text.c_str(), static_cast<int>(text.size()));
   ::wattr_set(stdscr, A_NORMAL, 0, nullptr);
 }

@@ -101,6 +101,7 @@ class Lab {
   void password_checked(const VisitPtr& visit, const std::optional<db::Person>& person, bool fits);
   void admit(const VisitPtr& visit);
   void admit_station(const VisitPtr& visit);
+  void admit_elsewhere(const VisitPtr& visit, const DeskPtr& mine, int station);
   void load_desk(const VisitPtr& visit);
   void restore_machine_data(const DeskPtr& desk);  ///< ERR-014
   void resume(const VisitPtr& visit, const v1::Resume& resume);
@@ -162,6 +163,8 @@ class Lab {
   void take_media(const VisitPtr& visit, const v1::ClientMessage& message);
   void watch_media(const DeskPtr& desk, std::int64_t now_ns);
   void seat_media(const VisitPtr& visit, const DeskPtr& desk);
+  /// The line is gone: what is under way goes on at the next one.
+  static void pause_media(Desk& desk);
   /// Behind key LABOR: a hardcopy of the control's screen, and of the picture in GRAFIK (SYS-013).
   void print_screen(const DeskPtr& desk);
 

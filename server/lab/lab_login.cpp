@@ -181,13 +181,19 @@ void Lab::admit_station(const VisitPtr& visit) {
   }
   if (!mine) return load_desk(visit);
   if (!mine->is_seated()) return sit_down(visit, mine, station->number());
+  admit_elsewhere(visit, mine, station->number());
+}
+
+/// The student sits somewhere already: one of the two goes on (SEAT-003).
+void Lab::admit_elsewhere(const VisitPtr& visit, const DeskPtr& mine, int station) {
+  const auto tongue = tongue_of(visit->person);
   switch (visit->login.elsewhere()) {
     case v1::ELSEWHERE_TAKE_OVER: {
       const VisitPtr former = mine->visit.lock();
       vacate(former, "taken over");
       farewell(former, 6,
                say(tongue, "Anmeldung an einem anderen Platz übernommen.", "Taken over at another station."));
-      return sit_down(visit, mine, station->number());
+      return sit_down(visit, mine, station);
     }
     case v1::ELSEWHERE_LOOK_ON: {
       visit->stage = Stage::looking_on;
@@ -320,8 +326,7 @@ void Lab::vacate(const VisitPtr& visit, const std::string& why) {
   desk->login = kNoLogin;
   desk->stop_training();
   lines_.cut_of(*desk);
-  for (const auto& order : desk->media)
-    if (order->transfer) order->transfer->pause();  // begins anew when the line is back
+  pause_media(*desk);
   desk->waiting.clear();
   desk->keep_until_ns = clock_.monotonic_ns() + configuration_.keep_minutes * 60'000'000'000LL;
   journal_.write("left", why, desk->station, desk->person.name);

@@ -23,8 +23,6 @@ language::Block block_of(int program, const db::StoredBlock& stored) {
   return damaged;
 }
 
-std::string datum_text(int number, std::int64_t value) { return fmt::format("{:02}={}", number, value); }
-
 /// The same block under another number, for insertion.
 db::StoredBlock renumbered(int program, const db::StoredBlock& stored, int number) {
   language::Block block = block_of(program, stored);
@@ -142,7 +140,7 @@ std::vector<db::StoredBlock> stored_blocks(const language::Program& program) {
 }
 
 db::StoredDatum stored_datum(int number, std::int64_t value) {
-  return {number, value, language::check_code(0, datum_text(number, value))};
+  return {number, value, language::datum_check_code(number, value)};
 }
 
 std::string change_text(const panel::StoreRequest& request) {

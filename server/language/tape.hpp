@@ -81,4 +81,7 @@ struct Tape {
 /// The check code appended to every stored block (SYS-018): CRC-32 (IEEE 802.3) of "P0001" and its stored form.
 [[nodiscard]] std::uint32_t check_code(std::uint16_t program, std::string_view stored_block);
 
+/// That of a stored machine datum (ERR-014), the same over "P0000" and "03=500000". `value` is in the datum's own unit.
+[[nodiscard]] std::uint32_t datum_check_code(int number, std::int64_t value);
+
 }  // namespace cnclab::language

@@ -1,4 +1,6 @@
 // Writing blocks and programs as tape text: always the same text for the same block, since it is also the stored form.
+#include <fmt/format.h>
+
 #include <boost/crc.hpp>
 
 #include "language/tape.hpp"
@@ -73,6 +75,10 @@ std::uint32_t check_code(std::uint16_t program, std::string_view stored_block) {
   crc.process_bytes(place.data(), place.size());
   crc.process_bytes(stored_block.data(), stored_block.size());
   return crc.checksum();
+}
+
+std::uint32_t datum_check_code(int number, std::int64_t value) {
+  return check_code(kToolTable, fmt::format("{:02}={}", number, value));
 }
 
 }  // namespace cnclab::language

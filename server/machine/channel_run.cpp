@@ -1,4 +1,4 @@
-// A run in the tick: follow the path, execute the events between.
+// A run in the tick: follow the path. The events between: channel_events.cpp.
 #include <algorithm>
 #include <cmath>
 
@@ -101,102 +101,6 @@ bool ChannelTick::place_axes(double tick_s) noexcept {
   }
   for (std::size_t i = 0; i < 4; ++i) counters_.step_to(i, target[i]);
   return true;
-}
-
-bool ChannelTick::is_input_active(const geometry::Wait& wait) const noexcept {
-  if (wait.card < 1 || wait.card > 2) return inputs_.input_1;
-  const std::uint8_t lines = inputs_.cards[static_cast<std::size_t>(wait.card - 1)];
-  if (wait.line < 1 || wait.line > 8) return lines == 0xFF;
-  return (lines >> (wait.line - 1) & 1U) != 0;
-}
-
-void ChannelTick::set_output(const geometry::Output& output) noexcept {
-  if (output.card < 1 || output.card > 2) return;
-  std::uint8_t& lines = outputs_.cards[static_cast<std::size_t>(output.card - 1)];
-  const unsigned mask = output.line < 1 || output.line > 8 ? 0xFFU : 1U << (output.line - 1);
-  lines = static_cast<std::uint8_t>(output.on ? lines | mask : lines & ~mask);
-}
-
-/// A run that brakes to be abandoned may still pass events, but nothing becomes active by it any more (AUTH-009).
-bool ChannelTick::is_void(const motion::Segment& event) const noexcept {
-  if (!abandon_at_rest_) return false;
-  if (const auto* spindle = std::get_if<geometry::Spindle>(&event.item.what)) {
-    return spindle->turn != geometry::SpindleTurn::off;
-  }
-  if (const auto* coolant = std::get_if<geometry::Coolant>(&event.item.what)) return coolant->on;
-  if (const auto* output = std::get_if<geometry::Output>(&event.item.what)) return output->on;
-  return std::holds_alternative<geometry::SpindleDigits>(event.item.what) ||
-         std::holds_alternative<geometry::Signal>(event.item.what);
-}
-
-/// True when the event is done and the path goes on; false when the program waits, ends or the tick is over.
-bool ChannelTick::execute(const motion::Segment& event) noexcept {
-  const auto wait_for = [this](Waiting waiting) {
-    run_.waiting = waiting;
-    return false;
-  };
-  return std::visit(Overloaded{
-                        [&](const geometry::Dwell& dwell) {
-                          run_.dwell_left_s = dwell.seconds;
-                          return dwell.seconds > 0 ? wait_for(Waiting::dwell) : true;
-                        },
-                        [&](const geometry::Spindle& spindle) {
-                          outputs_.spindle = spindle.turn;
-                          const bool on = spindle.turn != geometry::SpindleTurn::off;
-                          outputs_.spindle_rpm = on ? static_cast<std::int32_t>(std::lround(spindle.rpm)) : 0;
-                          return true;
-                        },
-                        [&](const geometry::Coolant& coolant) {
-                          outputs_.coolant = coolant.on;
-                          return true;
-                        },
-                        [&](const geometry::Output& output) {
-                          set_output(output);
-                          return true;
-                        },
-                        [&](const geometry::Wait& wait) { return is_input_active(wait) || wait_for(Waiting::input); },
-                        [&](const geometry::SetActual& actual) {
-                          for (std::size_t i = 0; i < 3; ++i) {
-                            if (actual.axes[i]) counters_.set_istwert(i, actual.value[i]);
-                          }
-                          return true;
-                        },
-                        [&](const geometry::Reference& reference) {
-                          begin_program_reference(reference);
-                          return wait_for(Waiting::reference);
-                        },
-                        [&](const geometry::Halt& halt) {
-                          signals_ += halt.signal ? 1 : 0;
-                          outputs_.signal = outputs_.signal || halt.signal;
-                          note_cause(StopCause::programmed_halt);
-                          return wait_for(Waiting::halt);
-                        },
-                        [&](const geometry::Signal&) {
-                          ++signals_;
-                          outputs_.signal = true;
-                          return true;
-                        },
-                        [&](const geometry::SpindleDigits& digits) {
-                          outputs_.s_digits = digits.rpm;
-                          return true;
-                        },
-                        [&](const geometry::End&) {
-                          static_cast<void>(follower_.pass_event());
-                          come_to_rest(StopCause::program_end);
-                          return false;
-                        },
-                        [&](const geometry::ToolChange& tool) {
-                          tool_ = {tool.number, tool.radius_mm, tool.length_mm};
-                          return true;
-                        },
-                        [](const geometry::Mark&) { return true; },
-                        [](const geometry::RadiusOffset&) { return true; },
-                        [](const geometry::LengthOffset&) { return true; },
-                        [](const geometry::CornerRounding&) { return true; },
-                        [](const geometry::Line&) { return true; },
-                        [](const geometry::Arc&) { return true; },
-                    },
-                    event.item.what);
 }
 
 /// One tick of a wait. True: the tick is used up.

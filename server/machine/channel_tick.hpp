@@ -72,21 +72,24 @@ class ChannelTick {
   void begin_by_hand(Activity activity, const Directions& directions) noexcept;
   void begin_workpiece() noexcept;
 
-  // channel_run.cpp: the program's path and events
+  // channel_run.cpp: the program's path
   void run_tick(double tick_s, const motion::Demand& demand) noexcept;
   [[nodiscard]] bool wait_tick(double tick_s) noexcept;
-  [[nodiscard]] bool is_void(const motion::Segment& event) const noexcept;
-  [[nodiscard]] bool execute(const motion::Segment& event) noexcept;
   void pass_event() noexcept;
   void note_block_start() noexcept;
   void anchor_path() noexcept;
   void anchor_at(const geometry::Point& place) noexcept;
   [[nodiscard]] bool place_axes(double tick_s) noexcept;
-  [[nodiscard]] bool is_input_active(const geometry::Wait& wait) const noexcept;
-  void set_output(const geometry::Output& output) noexcept;
   void begin_program_reference(const geometry::Reference& reference) noexcept;
   void end_program_reference() noexcept;
   void note_reference(std::size_t axis, double istwert_mm) noexcept;
+
+  // channel_events.cpp: what stands between the motions
+  struct Execution;
+  [[nodiscard]] bool is_void(const motion::Segment& event) const noexcept;
+  [[nodiscard]] bool execute(const motion::Segment& event) noexcept;
+  [[nodiscard]] bool is_input_active(const geometry::Wait& wait) const noexcept;
+  void set_output(const geometry::Output& output) noexcept;
 
   // channel_tick.cpp
   void move(double tick_s) noexcept;

@@ -9,6 +9,7 @@
 #include "panel/key_table.hpp"
 #include "panel/remote_line.hpp"
 #include "panel/run/run_end.hpp"
+#include "panel/screen/names.hpp"
 #include "panel/screen/screen_frame.hpp"
 #include "panel/state_json.hpp"
 
@@ -300,6 +301,7 @@ int Control::take_beeps() {
 bool Control::alarm_tone() const { return impl_->state.run.sounds_alarm(); }
 
 void Control::set_ram_fault(bool is_faulty) { impl_->state.is_ram_faulty = is_faulty; }
+bool Control::has_ram_fault() const { return impl_->state.is_ram_faulty; }
 
 void Control::tell_data_restored() {
   ControlState& state = impl_->state;

@@ -219,6 +219,7 @@ class Control {
 
   /// A fault of the CMOS RAM for the memory test to find (ERR-034).
   void set_ram_fault(bool is_faulty);
+  [[nodiscard]] bool has_ram_fault() const;
   /// The stored machine data had a wrong check code: those of the ROM hold now, and the screen says so (ERR-014).
   void tell_data_restored();
 

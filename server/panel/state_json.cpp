@@ -5,6 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "panel/json_readers.hpp"
+#include "panel/modal_json.hpp"
 #include "panel/modes/editor_json.hpp"
 #include "panel/modes/hand_json.hpp"
 
@@ -14,66 +16,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kLargestFeed = 9999, kLargestCode = 99;
-constexpr std::int64_t kLargestFactor = 9'999'999;
 constexpr std::int64_t kLargestOffset_s = 200LL * 366 * 86'400;  // two centuries
 constexpr double kLargestIstwert_mm = 9999.999;
 
-Json modal_json(const program::ModalState& modal) {
-  return {{"plane", static_cast<int>(modal.plane)},
-          {"radius", static_cast<int>(modal.radius)},
-          {"length", modal.length_compensation},
-          {"tool_radius", modal.tool_radius.value},
-          {"tool_length", modal.tool_length.value},
-          {"scale_on", modal.scale_on},
-          {"scale", modal.scale},
-          {"absolute", modal.dimension == program::Dimension::absolute},
-          {"f", modal.feed_mm_per_min},
-          {"s", modal.spindle_rpm},
-          {"t", modal.tool},
-          {"m", modal.m},
-          {"m21", modal.blocks_hidden},
-          {"m22", modal.subprogram_blocks_hidden},
-          {"m23", modal.potentiometer_off},
-          {"m24", modal.test_run}};
-}
-
 /// Spindle and coolant come back switched off: the machine is (SEAT-004 "always in STOP").
-program::ModalState modal_of(const Json& json) {
-  program::ModalState modal;
-  modal.plane = static_cast<geometry::Plane>(integer_in(json, "plane", 0, 2, 0));
-  modal.radius = static_cast<program::RadiusCompensation>(integer_in(json, "radius", 0, 4, 0));
-  modal.length_compensation = flag_in(json, "length");
-  modal.tool_radius = {integer_in(json, "tool_radius", 0, language::kLargestWord_um, 0)};
-  modal.tool_length = {integer_in(json, "tool_length", -language::kLargestWord_um, language::kLargestWord_um, 0)};
-  modal.scale_on = flag_in(json, "scale_on");
-  if (const Json* scale = member_of(json, "scale"); scale != nullptr && scale->is_array() && scale->size() == 3)
-    for (std::size_t axis = 0; axis < 3; ++axis)
-      modal.scale[axis] = integer_of((*scale)[axis], -kLargestFactor, kLargestFactor).value_or(1000);
-  modal.dimension = flag_in(json, "absolute") ? program::Dimension::absolute : program::Dimension::incremental;
-  modal.feed_mm_per_min = static_cast<int>(integer_in(json, "f", 0, kLargestFeed, 0));
-  modal.spindle_rpm = static_cast<int>(integer_in(json, "s", 0, kLargestFeed, 0));
-  modal.tool = static_cast<int>(integer_in(json, "t", 0, kLargestCode, 0));
-  modal.m = static_cast<int>(integer_in(json, "m", 0, kLargestCode, modal.m));
-  modal.blocks_hidden = flag_in(json, "m21");
-  modal.subprogram_blocks_hidden = flag_in(json, "m22");
-  modal.potentiometer_off = flag_in(json, "m23");
-  modal.test_run = flag_in(json, "m24");
+program::ModalState at_rest(program::ModalState modal) {
+  modal.spindle = geometry::SpindleTurn::off;
+  modal.coolant = false;
   return modal;
-}
-
-Json parameters_json(const program::Parameters& parameters) {
-  Json json = Json::object();
-  for (std::size_t i = 0; i < parameters.size(); ++i)
-    if (parameters[i] != 0) json[std::to_string(i)] = parameters[i];
-  return json;
-}
-
-program::Parameters parameters_of(const Json& json) {
-  program::Parameters parameters{};
-  for (std::size_t i = 0; i < parameters.size(); ++i)
-    parameters[i] = integer_in(json, std::to_string(i).c_str(), -program::kLargestValue, program::kLargestValue, 0);
-  return parameters;
 }
 
 /// Three lengths in mm; nothing where the text has no such row of three.
@@ -167,7 +117,7 @@ ReadState read_state(const std::string& text, ControlState& state) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) return read;
   state.override_percent = static_cast<int>(integer_in(json, "override", 0, 100, state.override_percent));
-  if (const Json* modal = member_of(json, "modal")) state.modal = modal_of(*modal);
+  if (const Json* modal = member_of(json, "modal")) state.modal = at_rest(modal_of(*modal));
   if (const Json* parameters = member_of(json, "parameters")) state.parameters = parameters_of(*parameters);
   state.editor_program = static_cast<std::uint16_t>(integer_in(json, "editor_program", 0, language::kLastProgram, 1));
   state.automat_program = static_cast<std::uint16_t>(integer_in(json, "automat_program", 0, language::kLastProgram, 1));

@@ -10,6 +10,8 @@
 #include "language/tape.hpp"
 #include "tool/options.hpp"
 #include "tool/text_file.hpp"
+#include "transfer/cassette.hpp"
+#include "transfer/cassette_recording.hpp"
 
 namespace cnclab::tool {
 
@@ -17,7 +19,7 @@ namespace {
 
 /// What was looked at, for the last line.
 struct Count {
-  std::size_t people = 0, programs = 0, blocks = 0, faults = 0;
+  std::size_t people = 0, programs = 0, blocks = 0, data = 0, recordings = 0, faults = 0;
 };
 
 /// As the control takes a block from its store (SYS-018, ERR-010): readable, under its own number, with its code.
@@ -26,31 +28,89 @@ bool is_sound(std::uint16_t program, const db::StoredBlock& stored) {
   return block && block->number == stored.number && language::check_code(program, stored.text) == stored.check_code;
 }
 
-void verify_program(const Options& options, const db::Person& person, const db::StoredProgram& stored, Count& count) {
-  const auto program = static_cast<std::uint16_t>(stored.number);
-  ++count.programs;
-  count.blocks += stored.blocks.size();
-  for (const db::StoredBlock& block : stored.blocks) {
-    if (is_sound(program, block)) continue;
-    ++count.faults;
-    const language::Error error{.code = language::ErrorCode::checksum_wrong,
-                                .program = program,
-                                .block = static_cast<std::uint16_t>(block.number),
-                                .in_tool_table = program == language::kToolTable};
-    print_problem(fmt::format("{}: {}", options.file, language::place_of(error)),
-                  fmt::format("{}: {}", person.name, language::message_of(error, options.tongue)));
+/// Everything that carries a check code, person by person: blocks, machine data, recordings on cassettes.
+class Verification {
+ public:
+  Verification(const Options& options, db::Database& database, Count& count)
+      : options_(options), database_(database), count_(count) {}
+
+  void run() {
+    for (const db::Person& person : database_.people(true)) {
+      ++count_.people;
+      owner_ = person.name;
+      for (const db::StoredProgram& program : database_.programs(person.id)) look_at(program);
+      look_at_data(person.id);
+      for (const db::StoredCassette& cassette : database_.cassettes(person.id))
+        look_at(cassette.name, database_.tape(person.id, cassette.id).value_or(""));
+    }
+    owner_ = tr("Maschine des Labors", "the lab's machine");
+    look_at_data(db::kLabMachine);
   }
-}
+
+ private:
+  [[nodiscard]] std::string tr(const char* german, const char* english) const {
+    return say(options_.tongue, german, english);
+  }
+
+  /// "FILE: P0001 N003: anna: message".
+  void fault(const std::string& place, const std::string& message) {
+    ++count_.faults;
+    print_problem(fmt::format("{}: {}", options_.file, place), fmt::format("{}: {}", owner_, message));
+  }
+
+  void look_at(const db::StoredProgram& stored) {
+    const auto program = static_cast<std::uint16_t>(stored.number);
+    ++count_.programs;
+    count_.blocks += stored.blocks.size();
+    for (const db::StoredBlock& block : stored.blocks) {
+      if (is_sound(program, block)) continue;
+      const language::Error error{.code = language::ErrorCode::checksum_wrong,
+                                  .program = program,
+                                  .block = static_cast<std::uint16_t>(block.number),
+                                  .in_tool_table = program == language::kToolTable};
+      fault(language::place_of(error), language::message_of(error, options_.tongue));
+    }
+  }
+
+  void look_at_data(db::PersonId person) {
+    for (const db::StoredDatum& datum : database_.machine_data(person)) {
+      ++count_.data;
+      if (language::datum_check_code(datum.number, datum.value) == datum.check_code) continue;
+      fault(fmt::format("MD {:02}", datum.number),
+            tr("ist beschädigt. Statt aller gelten die Maschinendaten des EPROM (ERR-014): neu eingeben.",
+               "is damaged. The machine data of the EPROM are in force in place of all (ERR-014): enter them again."));
+    }
+  }
+
+  void look_at(const std::string& name, const std::string& tape) {
+    const auto cassette = transfer::Cassette::deserialize(tape);
+    if (!cassette)
+      return fault(name, fmt::format("{} ({})", tr("Kassette nicht lesbar", "cassette unreadable"), cassette.error()));
+    int number = 0;
+    for (const transfer::TapePiece& piece : cassette->pieces())
+      look_at(fmt::format("{} {} {}", name, tr("Aufnahme", "recording"), ++number), piece);
+  }
+
+  void look_at(const std::string& place, const transfer::TapePiece& piece) {
+    ++count_.recordings;
+    const transfer::RecordingFaults faults = transfer::recording_faults(piece.bytes);
+    const std::string remedy = tr("ist beschädigt. Neu aufnehmen.", "is damaged. Record it again.");
+    if (faults.is_mark_damaged) fault(place, tr("Startmarke ", "start mark ") + remedy);
+    for (const std::uint32_t block : faults.blocks)
+      fault(place, fmt::format("{} {} {}", tr("Block", "block"), block + 1, remedy));
+  }
+
+  const Options& options_;
+  db::Database& database_;
+  Count& count_;
+  std::string owner_;  ///< of what is looked at
+};
 
 /// errors  why the database cannot be used
-std::expected<void, db::OpenError> verify_blocks(const Options& options, Count& count) {
+std::expected<void, db::OpenError> verify_codes(const Options& options, Count& count) {
   auto database = db::Database::open_to_read(options.file);
   if (!database) return std::unexpected(database.error());
-  for (const db::Person& person : database->people(true)) {
-    ++count.people;
-    for (const db::StoredProgram& program : database->programs(person.id))
-      verify_program(options, person, program, count);
-  }
+  Verification(options, *database, count).run();
   return {};
 }
 
@@ -74,14 +134,18 @@ int verify(const Options& options) {
   Count count{.faults = faults->size()};
   for (const std::string& fault : *faults) print_problem(options.file, fault);
   try {
-    if (const auto read = verify_blocks(options, count); !read) return say_unusable(read.error());
+    if (const auto read = verify_codes(options, count); !read) return say_unusable(read.error());
   } catch (const db::StoreFailure& failure) {
     print_problem(options.file, failure.what());
     return kExitError;
   }
-  fmt::print("{}\n", fmt::format(fmt::runtime(say(options.tongue, "{} Personen, {} Programme, {} Sätze: {} Fehler",
-                                                  "{} people, {} programs, {} blocks: {} faults")),
-                                 count.people, count.programs, count.blocks, count.faults));
+  fmt::print("{}\n",
+             fmt::format(fmt::runtime(say(options.tongue,
+                                          "{} Personen, {} Programme, {} Sätze, {} Maschinendaten, {} "
+                                          "Aufnahmen: {} Fehler",
+                                          "{} people, {} programs, {} blocks, {} machine data, {} "
+                                          "recordings: {} faults")),
+                         count.people, count.programs, count.blocks, count.data, count.recordings, count.faults));
   return count.faults == 0 ? 0 : kExitError;
 }
 

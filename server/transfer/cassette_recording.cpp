@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <boost/crc.hpp>
+#include <optional>
 
 #include "transfer/big_endian.hpp"
 
@@ -25,6 +26,36 @@ std::uint32_t check_code(std::uint32_t number, std::string_view block) {
   append_big_endian(bytes, number, 4);
   return crc_of(bytes.append(block));
 }
+
+struct RecordedBlock {
+  std::uint32_t number = 0;  ///< from 0
+  std::string_view text;
+  bool is_sound = false;  ///< its check code fits
+};
+
+/// Goes through the blocks behind a start mark.
+class RecordedBlocks {
+ public:
+  RecordedBlocks(std::string_view recording, std::size_t text_length) : recording_(recording), left_(text_length) {}
+
+  /// Nothing behind the last block, and where the recording is cut off.
+  std::optional<RecordedBlock> next() {
+    const std::size_t length = std::min(kRecordingBlock, left_);
+    if (length == 0 || recording_.size() - at_ < length + kCheckLength) return std::nullopt;
+    const std::string_view text = recording_.substr(at_, length);
+    const std::uint32_t code = big_endian(recording_.substr(at_ + length, kCheckLength));
+    at_ += length + kCheckLength;
+    left_ -= length;
+    const std::uint32_t number = number_++;
+    return RecordedBlock{number, text, code == check_code(number, text)};
+  }
+  [[nodiscard]] std::size_t position() const { return at_; }  ///< the first byte behind the last block given
+
+ private:
+  std::string_view recording_;
+  std::size_t at_ = kMarkLength, left_;
+  std::uint32_t number_ = 0;
+};
 
 }  // namespace
 
@@ -61,17 +92,25 @@ std::expected<Payload, Damaged> decode_recording(std::string_view recording) {
   const auto mark = decode_mark(recording);
   if (!mark) return std::unexpected(mark.error());
   Payload payload{.is_whole_memory = mark->is_whole_memory, .program = mark->program, .text = {}};
-  std::size_t at = kMarkLength;
-  for (std::uint32_t number = 0; payload.text.size() < mark->text_length; ++number) {
-    const std::size_t length = std::min(kRecordingBlock, mark->text_length - payload.text.size());
-    if (recording.size() - at < length + kCheckLength) return std::unexpected(Damaged{.at = recording.size()});
-    const std::string_view block = recording.substr(at, length);
-    at += length + kCheckLength;
-    if (big_endian(recording.substr(at - kCheckLength, kCheckLength)) != check_code(number, block))
-      return std::unexpected(Damaged{.at = at});
-    payload.text += block;
+  RecordedBlocks blocks(recording, mark->text_length);
+  while (const auto block = blocks.next()) {
+    if (!block->is_sound) return std::unexpected(Damaged{.at = blocks.position()});
+    payload.text += block->text;
   }
+  if (payload.text.size() < mark->text_length) return std::unexpected(Damaged{.at = recording.size()});
   return payload;
+}
+
+RecordingFaults recording_faults(std::string_view recording) {
+  RecordingFaults faults;
+  if (recording.size() < kMarkLength) return faults;
+  const auto mark = decode_mark(recording);
+  faults.is_mark_damaged = !mark;
+  if (!mark) return faults;
+  RecordedBlocks blocks(recording, mark->text_length);
+  while (const auto block = blocks.next())
+    if (!block->is_sound) faults.blocks.push_back(block->number);
+  return faults;
 }
 
 }  // namespace cnclab::transfer

@@ -13,6 +13,7 @@
 #include <expected>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace cnclab::transfer {
 
@@ -50,5 +51,13 @@ struct Damaged {
 /// recording   kMarkLength bytes or more are looked at
 [[nodiscard]] std::expected<StartMark, Damaged> decode_mark(std::string_view recording);
 [[nodiscard]] std::expected<Payload, Damaged> decode_recording(std::string_view recording);
+
+/// Where a recording is not what was written. That it is cut off, since another begins upon it or the tape ended, is no
+/// fault: what there is of it is judged.
+struct RecordingFaults {
+  bool is_mark_damaged = false;         ///< what follows cannot be judged then
+  std::vector<std::uint32_t> blocks{};  ///< those whose check code does not fit, from 0, ascending
+};
+[[nodiscard]] RecordingFaults recording_faults(std::string_view recording);
 
 }  // namespace cnclab::transfer

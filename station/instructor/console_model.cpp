@@ -23,59 +23,53 @@ Message say(const ConsoleModel& model, const Text& text, bool is_error = false) 
 
 std::uint32_t chosen_station(const ConsoleModel& model) { return static_cast<std::uint32_t>(model.chosen); }
 
-/// What each letter asks the server to do; nothing for other letters.
+void fill_select(v1::InstructorRequest& request, const ConsoleModel& model, bool force) {
+  request.mutable_select()->set_station(chosen_station(model));
+  request.mutable_select()->set_force(force);
+}
+
+void fill_power(v1::InstructorRequest& request, const ConsoleModel& model) {
+  const bool is_off = model.status && model.status->machine().state() == "off";
+  is_off ? request.mutable_power_on() : request.mutable_power_off();
+}
+
+void fill_lock(v1::InstructorRequest& request, const ConsoleModel& model) {
+  const auto* seat = model.status ? seat_of(*model.status, model.chosen) : nullptr;
+  const bool is_locked = seat != nullptr && seat->locked();
+  (is_locked ? request.mutable_unlock() : request.mutable_lock())->set_station(chosen_station(model));
+}
+
+void fill_show(v1::InstructorRequest& request, const ConsoleModel& model) {
+  const bool is_shown = model.status && model.status->shown() == chosen_station(model);
+  request.mutable_show()->set_station(is_shown ? 0 : chosen_station(model));
+}
+
+/// What each letter asks the server to do.
+struct Letter {
+  char32_t character;
+  void (*fill)(v1::InstructorRequest& request, const ConsoleModel& model);
+};
+
+constexpr Letter kLetters[] = {
+    {U's', [](auto& request, const auto& model) { fill_select(request, model, false); }},
+    {U'S', [](auto& request, const auto& model) { fill_select(request, model, true); }},
+    {U'r', [](auto& request, const auto&) { request.mutable_release(); }},
+    {U'R', [](auto& request, const auto&) { request.mutable_release()->set_force(true); }},
+    {U'h', [](auto& request, const auto&) { request.mutable_halt(); }},
+    {U'c', [](auto& request, const auto&) { request.mutable_clear_halt(); }},
+    {U'p', fill_power},
+    {U'l', fill_lock},
+    {U'v', fill_show},
+    {U'w', [](auto& request, const auto& model) { request.mutable_watch()->set_station(chosen_station(model)); }},
+    {U't', [](auto& request, const auto& model) { request.mutable_take()->set_station(chosen_station(model)); }},
+    {U'g', [](auto& request, const auto& model) { request.mutable_give()->set_station(chosen_station(model)); }},
+};
+
 std::optional<v1::InstructorRequest> request_for(char32_t character, const ConsoleModel& model) {
+  const auto* const letter = std::ranges::find(kLetters, character, &Letter::character);
+  if (letter == std::end(kLetters)) return std::nullopt;
   v1::InstructorRequest request;
-  switch (character) {
-    case U's':
-      request.mutable_select()->set_station(chosen_station(model));
-      break;
-    case U'S':
-      request.mutable_select()->set_station(chosen_station(model));
-      request.mutable_select()->set_force(true);
-      break;
-    case U'r':
-      request.mutable_release();
-      break;
-    case U'R':
-      request.mutable_release()->set_force(true);
-      break;
-    case U'h':
-      request.mutable_halt();
-      break;
-    case U'c':
-      request.mutable_clear_halt();
-      break;
-    case U'p':
-      if (model.status && model.status->machine().state() == "off") {
-        request.mutable_power_on();
-      } else {
-        request.mutable_power_off();
-      }
-      break;
-    case U'l': {
-      const auto* seat = model.status ? seat_of(*model.status, model.chosen) : nullptr;
-      const bool is_locked = seat != nullptr && seat->locked();
-      (is_locked ? request.mutable_unlock() : request.mutable_lock())->set_station(chosen_station(model));
-      break;
-    }
-    case U'v': {
-      const bool is_shown = model.status && model.status->shown() == chosen_station(model);
-      request.mutable_show()->set_station(is_shown ? 0 : chosen_station(model));
-      break;
-    }
-    case U'w':
-      request.mutable_watch()->set_station(chosen_station(model));
-      break;
-    case U't':
-      request.mutable_take()->set_station(chosen_station(model));
-      break;
-    case U'g':
-      request.mutable_give()->set_station(chosen_station(model));
-      break;
-    default:
-      return std::nullopt;
-  }
+  letter->fill(request, model);
   return request;
 }
 

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <string_view>
-#include <vector>
 
 namespace cnclab::instructor {
 namespace {
@@ -14,7 +13,15 @@ namespace {
 using station::Text;
 
 constexpr int kMachineRow = 18, kTickRow = 19, kMessageRow = 21, kKeysRow = 23;
-constexpr int kMessageWidth = Screen::kColumns - 2;
+
+constexpr std::size_t kTextWidth = Screen::kColumns - 2;
+
+/// Where to break a text so that what is before fits into a row: at a blank, where there is one.
+std::size_t break_of(const std::u32string& text) {
+  if (text.size() <= kTextWidth) return text.size();
+  const std::size_t blank = text.rfind(U' ', kTextWidth);
+  return blank == std::u32string::npos || blank == 0 ? kTextWidth : blank;
+}
 
 /// Columns of the table of seats.
 struct Column {
@@ -43,24 +50,6 @@ constexpr std::array<ShortName, 8> kShortNames{{{"KUEHLMITTEL", "KÜHLMITT."},
 std::string_view short_name(std::string_view key) {
   const auto* const found = std::ranges::find(kShortNames, key, &ShortName::name);
   return found == kShortNames.end() ? key : found->text;
-}
-
-/// A sentence as lines of at most `width` columns, cut between words where there are blanks.
-std::vector<std::string> folded(const std::string& sentence, std::size_t width) {
-  std::vector<std::string> lines;
-  std::u32string rest = from_utf8(sentence);
-  while (!rest.empty()) {
-    std::size_t end = rest.size();
-    if (end > width) {
-      const auto blank = rest.rfind(U' ', width);
-      end = blank == std::u32string::npos || blank == 0 ? width : blank;
-    }
-    std::string& line = lines.emplace_back();
-    for (const char32_t code : rest.substr(0, end)) line += to_utf8(code);
-    rest.erase(0, end);
-    rest.erase(0, std::min(rest.find_first_not_of(U' '), rest.size()));
-  }
-  return lines;
 }
 
 class Drawing {
@@ -213,11 +202,27 @@ class Drawing {
                     Attribute::normal, Screen::kColumns - 2);
   }
 
+  /// In this row, a long one in two: `row` is the last of them.
+  void write_message(int row, Attribute attribute) {
+    const std::u32string text = from_utf8(model_.message.text);
+    const std::size_t end = break_of(text);
+    const bool is_long = end < text.size();
+    screen_.write(is_long ? row - 1 : row, 1, to_utf8(text.substr(0, end)), attribute);
+    if (!is_long) return;
+    const std::size_t rest = text[end] == U' ' ? end + 1 : end;
+    screen_.write(row, 1, to_utf8(text.substr(rest)), attribute, kTextWidth);
+  }
+
+  /// Where it is longer than the row its end stays in sight.
+  void draw_entry() {
+    std::u32string text = U":" + from_utf8(model_.entry) + U"_";
+    if (text.size() > kTextWidth) text = U"…" + text.substr(text.size() - kTextWidth + 1);
+    screen_.write(kMessageRow - 1, 1, to_utf8(text), Attribute::bold);
+    write_message(kMessageRow + 1, Attribute::inverse);
+  }
+
   void draw_message() {
-    if (model_.overlay == Overlay::entry) {
-      screen_.write(kMessageRow, 1, ":" + model_.entry + "_", Attribute::bold, Screen::kColumns - 2);
-      return draw_lines(kMessageRow + 1, Attribute::inverse);
-    }
+    if (model_.overlay == Overlay::entry) return draw_entry();
     if (model_.overlay == Overlay::ask_quit && model_.status) {
       const Text question{"Platz {} hat die Steuerung und behält sie. Beenden? j/n",
                           "Seat {} has control and keeps it. Quit? y/n"};
@@ -226,22 +231,13 @@ class Drawing {
       return;
     }
     const auto attribute = model_.message.is_error ? Attribute::inverse : Attribute::normal;
-    const bool is_long = folded(model_.message.text, kMessageWidth).size() > 1;
-    draw_lines(is_long ? kMessageRow - 1 : kMessageRow, attribute);
-  }
-
-  /// The message in up to two rows.
-  void draw_lines(int row, Attribute attribute) {
-    auto lines = folded(model_.message.text, kMessageWidth);
-    lines.resize(std::min<std::size_t>(lines.size(), 2));
-    for (const auto& line : lines) screen_.write(row++, 1, line, attribute, kMessageWidth);
+    write_message(kMessageRow, attribute);
   }
 
   void draw_keys() {
-    if (model_.overlay == Overlay::entry && !model_.message.text.empty()) return;  // its rows tell what is wrong
     if (model_.overlay != Overlay::entry)
       screen_.write(kKeysRow - 1, 1,
-                    say({"w Bild  t Tastatur  l sperren  v an alle  m Nachricht  x abmelden  : Befehl",
+                    say({"w Bild  t Tastatur  l sperren  v zeigen  m Nachricht  x abmelden  : Befehl",
                          "w watch  t keyboard  l lock  v show to all  m message  x expel  : command"}),
                     Attribute::dim, Screen::kColumns - 1);
     screen_.write(kKeysRow, 1,
@@ -255,15 +251,15 @@ class Drawing {
         {"1-9 ↑ ↓ Maus  Platz wählen            s Enter  Maschine anbieten (S: mit Halt)",
          "1-9 ↑ ↓ mouse choose a seat           s Enter  offer the machine (S: stops it)"},
         {"r             zurücknehmen (R: mit Halt)    p  Antriebe stromlos, wieder ein",
-         "r             take it back (R: stops it)    p  drives without current, and on"},
+         "r             take it back (R: stops it)    p  drives without current, back on"},
         {"F12 h         MASCHINE HALT: Rampe, Spindel und Kühlmittel aus; c hebt ihn auf",
          "F12 h         MACHINE HALT: ramp, spindle and coolant off; c clears it"},
         {"w             Bild des Platzes ansehen      v  sein Bild allen zeigen, v endet",
          "w             watch the station's screen    v  show it to all, v again ends"},
         {"t             Tastatur übernehmen, F8 gibt zurück (g: auch von hier)",
          "t             take the keyboard over, F8 gives it back (g: from here too)"},
-        {"l             Tastatur sperren, freigeben   x  Platz abmelden",
-         "l             lock and unlock the keyboard  x  end the station's connection"},
+        {"l             Tastatur sperren, freigeben   x  Platz abmelden (mit Enter)",
+         "l             lock and unlock the keyboard  x  end its connection (with Enter)"},
         {"m M           Nachricht an den Platz, an alle", "m M           message to the station, to all"},
         {":             jeder Befehl wie auf der Kommandozeile, zum Beispiel:",
          ":             every command as on the command line, for example:"},
@@ -278,7 +274,7 @@ class Drawing {
         {"q             Konsole beenden", "q             quit the console"},
         {"F12 und p ersetzen kein NOT-HALT: der ist ein Schalter an der Maschine.",
          "F12 and p are no emergency stop: that is a switch at the machine."},
-        {"► hat die Maschine  ● läuft  Hand: Reihenfolge  Fehl: in der letzten Minute",
+        {"► steuert die Maschine  ● läuft  Hand: Reihenfolge  Fehl: letzte Minute",
          "► has the machine  ● runs  Hand: order of hands  Err.: in the last minute"},
         {"Jede Taste schließt diese Seite.", "Any key closes this page."},
     }};

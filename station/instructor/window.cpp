@@ -10,22 +10,10 @@
 #include <cstdio>
 #include <utility>
 
+#include "station/curses_attribute.hpp"
+
 namespace cnclab::instructor {
 namespace {
-
-attr_t curses_attribute(Attribute attribute) {
-  switch (attribute) {
-    case Attribute::normal:
-      return A_NORMAL;
-    case Attribute::inverse:
-      return A_REVERSE;
-    case Attribute::bold:
-      return A_BOLD;
-    case Attribute::dim:
-      return A_DIM;
-  }
-  return A_NORMAL;
-}
 
 /// Keys that only a station's keyboard knows.
 std::optional<Input> station_key(wint_t key) {
@@ -81,7 +69,7 @@ void put(const Screen& screen, int left) {
       const Cell& cell = screen.at(row, column);
       const wchar_t text[] = {static_cast<wchar_t>(cell.code), L'\0'};
       cchar_t character{};
-      setcchar(&character, text, curses_attribute(cell.attribute), 0, nullptr);
+      setcchar(&character, text, station::curses_attribute(cell.attribute), 0, nullptr);
       mvadd_wch(row, left + column, &character);
     }
   }

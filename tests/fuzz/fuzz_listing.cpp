@@ -1,41 +1,27 @@
 // Feeds any bytes to the reader of printed listings: it must come to an end without harm, and what it has read must
 // come back equal when it is printed and read again, and as a tape where no block is damaged.
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
 #include "language/check_block.hpp"
 #include "language/listing.hpp"
 #include "language/program_text.hpp"
+#include "tape_checks.hpp"
 
 namespace language = cnclab::language;
+using cnclab::fuzz::check_errors;
+using cnclab::fuzz::require;
+using cnclab::fuzz::require_same_programs;
 
 namespace {
 
 constexpr std::string_view kTime = "09:00:00 16/06/83";
 
-void require(bool is_right) {
-  if (!is_right) std::abort();
-}
-
-void check_errors(const language::Tape& tape) {
-  require(tape.errors.size() <= 1000);
-  for (const language::Error& error : tape.errors) {
-    require(!language::explain(error, language::Tongue::german).empty());
-    require(!language::explain(error, language::Tongue::english).empty());
-  }
-}
-
 std::string printed(const language::Tape& tape, language::Tongue tongue) {
   std::string text;
   for (const language::ReadProgram& read : tape.programs) text += language::write_listing(read.program, kTime, tongue);
   return text;
-}
-
-void require_same_programs(const language::Tape& a, const language::Tape& b) {
-  require(b.errors.empty() && a.programs.size() == b.programs.size());
-  for (std::size_t i = 0; i < a.programs.size(); ++i) require(a.programs[i].program == b.programs[i].program);
 }
 
 /// A tape has no mark for damaged blocks.

@@ -2,7 +2,6 @@
 // when it is written and read again, as a tape and as a listing. Every other reader and printer of a block sees the
 // result too.
 #include <cstdint>
-#include <cstdlib>
 #include <string>
 #include <string_view>
 
@@ -11,22 +10,14 @@
 #include "language/program_text.hpp"
 #include "language/screen_form.hpp"
 #include "language/tape.hpp"
+#include "tape_checks.hpp"
 
 namespace language = cnclab::language;
+using cnclab::fuzz::check_errors;
+using cnclab::fuzz::require;
+using cnclab::fuzz::require_same_programs;
 
 namespace {
-
-void require(bool is_right) {
-  if (!is_right) std::abort();
-}
-
-void check_errors(const language::Tape& tape) {
-  require(tape.errors.size() <= 1000);
-  for (const language::Error& error : tape.errors) {
-    require(!language::explain(error, language::Tongue::german).empty());
-    require(!language::explain(error, language::Tongue::english).empty());
-  }
-}
 
 void check_stored_blocks(const language::Program& program) {
   for (const language::Block& block : program.blocks) {
@@ -43,11 +34,6 @@ std::string written_form(const language::Tape& tape) {
   std::string text;
   for (const language::ReadProgram& read : tape.programs) text += language::write_program(read.program);
   return text + language::write_machine_data(tape.machine_data);
-}
-
-void require_same_programs(const language::Tape& a, const language::Tape& b) {
-  require(b.errors.empty() && a.programs.size() == b.programs.size());
-  for (std::size_t i = 0; i < a.programs.size(); ++i) require(a.programs[i].program == b.programs[i].program);
 }
 
 void check_listing(const language::Tape& tape) {

@@ -73,30 +73,41 @@ TEST(ConsoleView, INS_001_the_name_of_every_key_fits_its_column) {
   }
 }
 
-TEST(ConsoleView, INS_001_no_line_of_the_help_and_of_the_keys_is_cut) {
+TEST(ConsoleView, INS_001_no_row_of_keys_is_cut) {
   for (const auto language : {station::Language::german, station::Language::english}) {
     ConsoleModel model = lesson();
     model.language = language;
-    for (const Overlay overlay : {Overlay::none, Overlay::help}) {
-      model.overlay = overlay;
-      const Screen screen = draw_console(model).screen;
-      for (int row = 2; row < Screen::kRows; ++row)
-        EXPECT_EQ(screen.at(row, Screen::kColumns - 1).code, U' ') << screen.text(row);
-    }
+    const Screen screen = draw_console(model).screen;
+    EXPECT_THAT(trimmed(screen, 22), testing::EndsWith(language == station::Language::german ? "Befehl" : "command"));
+    EXPECT_THAT(trimmed(screen, 23), testing::EndsWith(language == station::Language::german ? "Ende" : "quit"));
+    model.overlay = Overlay::help;
+    for (int row = 2; row < 18; ++row) EXPECT_EQ(draw_console(model).screen.at(row, 79).code, U' ') << row;
   }
-  ConsoleModel german = lesson();
-  EXPECT_THAT(draw_console(german).screen.text(22), HasSubstr(": Befehl "));
-  german.overlay = Overlay::help;
-  EXPECT_THAT(draw_console(german).screen.text(16), HasSubstr("in der letzten Minute "));
 }
 
-TEST(ConsoleView, AUTH_004_a_long_refusal_is_folded_into_two_rows) {
+TEST(ConsoleView, INS_002_a_long_answer_takes_two_rows) {
   ConsoleModel model = lesson();
   model.message = {"Mit diesen Daten dauert ein Halt aus F MAX über 2 s: RAMPE größer oder F MAX kleiner wählen.",
                    true};
+  Screen screen = draw_console(model).screen;
+  EXPECT_EQ(trimmed(screen, 20), " Mit diesen Daten dauert ein Halt aus F MAX über 2 s: RAMPE größer oder F MAX");
+  EXPECT_EQ(trimmed(screen, 21), " kleiner wählen.");
+  model.message = {"Halt aufgehoben."};
+  screen = draw_console(model).screen;
+  EXPECT_EQ(trimmed(screen, 20), "");
+  EXPECT_EQ(trimmed(screen, 21), " Halt aufgehoben.");
+}
+
+TEST(ConsoleView, INS_005_the_end_of_a_long_command_and_its_error_stay_in_sight) {
+  ConsoleModel model = lesson();
+  model.overlay = Overlay::entry;
+  model.entry = "message all " + std::string(80, 'a') + "!";
+  model.message = {std::string(100, 'b'), true};
   const Screen screen = draw_console(model).screen;
-  EXPECT_THAT(trimmed(screen, 20), HasSubstr("Mit diesen Daten dauert"));
-  EXPECT_THAT(trimmed(screen, 21), testing::EndsWith("kleiner wählen."));
+  EXPECT_EQ(trimmed(screen, 20), " …" + std::string(75, 'a') + "!_");
+  EXPECT_EQ(trimmed(screen, 21), " " + std::string(78, 'b'));
+  EXPECT_EQ(trimmed(screen, 22), " " + std::string(22, 'b'));
+  EXPECT_THAT(trimmed(screen, 23), HasSubstr("Ende"));
 }
 
 TEST(ConsoleView, KEY_008_a_station_under_REMOTE_says_so) {

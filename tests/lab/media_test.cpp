@@ -3,11 +3,13 @@
 #include <gmock/gmock.h>
 
 #include "language/tape.hpp"
+#include "shared/digest.hpp"
 #include "small_lab.hpp"
 
 namespace cnclab::lab {
 namespace {
 
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
@@ -17,9 +19,14 @@ class LabMedia : public testing::Test, protected SmallLab {
  protected:
   LabMedia() {
     with_database([](db::Database& database) {
-      const std::string block = "N001G04H9999";
-      database.put_block(database.person("eva")->id, 1, {1, block, language::check_code(1, block)},
-                         {.name = "eva", .station = kSeat, .time_ms = 1});
+      const db::Author eva{.name = "eva", .station = kSeat, .time_ms = 1};
+      const auto put = [&](std::uint16_t program, std::uint16_t number) {
+        const std::string block = "N" + std::to_string(1000 + number).substr(1) + "G04H9999";
+        database.put_block(database.person("eva")->id, program, {number, block, language::check_code(number, block)},
+                           eva);
+      };
+      put(1, 1);
+      for (std::uint16_t number = 1; number <= 700; ++number) put(2, number);
     });
     v1::ClientMessage message;
     message.mutable_login()->set_user("eva");
@@ -34,7 +41,8 @@ class LabMedia : public testing::Test, protected SmallLab {
   /// As SmallLab::look, but keeps what concerns files.
   void look() {
     for (const v1::ServerMessage& message : eva_.peer->sent)
-      if (message.has_put_media() || message.has_chunk() || message.has_chunk_ack()) files_.push_back(message);
+      if (message.has_put_media() || message.has_get_media() || message.has_chunk() || message.has_chunk_ack())
+        files_.push_back(message);
     SmallLab::look(eva_);
   }
   void pass_ms(std::int64_t milliseconds) {
@@ -68,13 +76,22 @@ class LabMedia : public testing::Test, protected SmallLab {
     lab().receive(eva_.visit, message);
     look();
   }
+  /// The line is cut, and the station comes back with its ticket.
+  void cut_and_resume() {
+    v1::ClientMessage resume;
+    resume.mutable_resume()->set_ticket(eva_.visit->desk->ticket);
+    resume.mutable_resume()->set_has_media(true);
+    lab().lost(eva_.visit);
+    eva_ = call();
+    lab().receive(eva_.visit, resume);
+    look();
+  }
   [[nodiscard]] std::string row(int index) const { return eva_.visit->desk->view.screen.text(index); }
   [[nodiscard]] const v1::ServerMessage& newest() const { return files_.at(files_.size() - 1); }
-  /// Takes a file as a station does, and gives its bytes.
-  std::string take_file() {
+  /// Takes a file as a station does that has `bytes` of it already, and gives them all.
+  std::string take_file(std::string bytes = "") {
     const v1::PutMedia put = newest().put_media();
-    std::string bytes;
-    acknowledge(put.transfer(), 0);
+    acknowledge(put.transfer(), bytes.size());
     while (bytes.size() < put.size()) {
       bytes += newest().chunk().data();
       acknowledge(put.transfer(), bytes.size());
@@ -94,6 +111,42 @@ TEST_F(LabMedia, AStationThatDoesNotAnswerIsGivenUp) {
   pass_ms(200);
   EXPECT_THAT(row(18), HasSubstr("P0001.nc: der Platz antwortet nicht"));
   EXPECT_TRUE(newest().chunk_ack().abort());
+}
+
+TEST_F(LabMedia, SEAT_004_AFileGoesOnAfterACutAndItsRowStands) {
+  strike_all({Key::EXTERNE_DATEN, Key::D4, Key::D2, Key::ENTER});
+  const v1::PutMedia put = newest().put_media();
+  ASSERT_GT(put.size(), 8192U);
+  EXPECT_EQ(put.offset(), 0U);
+  acknowledge(put.transfer(), 0);
+  std::string bytes = newest().chunk().data();
+  acknowledge(put.transfer(), bytes.size());  // the second chunk is lost
+  cut_and_resume();
+  EXPECT_THAT(row(18), HasSubstr("Die Übertragung läuft"));
+  const v1::PutMedia again = newest().put_media();
+  EXPECT_EQ(again.name(), "P0002.nc");
+  EXPECT_EQ(again.offset(), bytes.size());
+  EXPECT_EQ(again.digest(), sha256(bytes));
+  bytes = take_file(std::move(bytes));
+  EXPECT_EQ(bytes.size(), put.size());
+  EXPECT_THAT(bytes, StartsWith("P0002\nN001G04H9999\nN002"));
+  EXPECT_THAT(bytes, EndsWith("N700G04H9999\n%\n"));
+  poll();
+  look();
+  EXPECT_THAT(row(18), HasSubstr("Ausgabe beendet"));
+}
+
+TEST_F(LabMedia, SEAT_004_AStationThatIsSilentAfterACutIsGivenUp) {
+  strike_all({Key::EXTERNE_DATEN, Key::D4, Key::D2, Key::ENTER});
+  acknowledge(newest().put_media().transfer(), 0);
+  acknowledge(1, 4096);
+  cut_and_resume();
+  ASSERT_EQ(newest().put_media().offset(), 4096U);
+  pass_ms(9'900);
+  EXPECT_THAT(row(18), HasSubstr("Die Übertragung läuft"));
+  pass_ms(200);
+  EXPECT_THAT(row(18), HasSubstr("P0002.nc: der Platz antwortet nicht"));
+  EXPECT_TRUE(newest().chunk_ack().abort()) << "the station may forget what it has";
 }
 
 TEST_F(LabMedia, AUTH_007_TheMachineBreaksATransferOff) {

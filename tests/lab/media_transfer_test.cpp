@@ -3,6 +3,10 @@
 
 #include <gmock/gmock.h>
 
+#include <cstdint>
+#include <functional>
+
+#include "shared/digest.hpp"
 #include "shared/frame.hpp"
 #include "shared/media_name.hpp"
 
@@ -12,13 +16,24 @@ namespace {
 using panel::GetFile;
 using panel::PutFiles;
 
-/// What a step comes to: "put P0001.nc 5", "chunk 0+4096", "ack 4096", "done", "read 5", "fault 0", "breach", "none".
-std::string told(const MediaTransfer::Step& step) {
+/// " from 4096" where the request tells that these bytes are known, and proves that they are those of `content`.
+template <class Request>
+std::string from(const Request& request, const std::string& content) {
+  if (request.offset() == 0) return request.digest().empty() ? "" : " with a digest of nothing";
+  const bool is_proven = request.digest() == sha256(content.substr(0, request.offset()));
+  return " from " + std::to_string(request.offset()) + (is_proven ? "" : " unproven");
+}
+
+/// What a step comes to: "put P0001.nc 5", "put P0001.nc 5000 from 4096", "chunk 0+4096", "ack 4096", "done", "read 5",
+/// "fault 0", "breach", "none". content   of the file that was under way before
+std::string told(const MediaTransfer::Step& step, const std::string& content = "") {
   if (step.is_breach) return "breach";
   std::string text;
   if (step.send && step.send->has_put_media())
-    text = "put " + step.send->put_media().name() + " " + std::to_string(step.send->put_media().size());
-  if (step.send && step.send->has_get_media()) text = "get " + step.send->get_media().names(0);
+    text = "put " + step.send->put_media().name() + " " + std::to_string(step.send->put_media().size()) +
+           from(step.send->put_media(), content);
+  if (step.send && step.send->has_get_media())
+    text = "get " + step.send->get_media().names(0) + from(step.send->get_media(), content);
   if (step.send && step.send->has_chunk())
     text = "chunk " + std::to_string(step.send->chunk().offset()) + "+" +
            std::to_string(step.send->chunk().data().size()) + (step.send->chunk().is_last() ? " last" : "");
@@ -75,17 +90,101 @@ TEST(MediaTransfer, AFileIsReceivedAndEveryChunkAcknowledged) {
   EXPECT_EQ(told(transfer.take(chunk(1, 5000, 1, true))), "none") << "it is over";
 }
 
-TEST(MediaTransfer, ACutLineBeginsTheFileAnew) {  // SEAT-004
-  MediaTransfer transfer(PutFiles{{{"P0001.tap", "abc"}, {"P0001.txt", std::string(5000, 'a')}}});
+const std::string kThree = std::string(4096, 'a') + std::string(4096, 'b') + std::string(1808, 'c');  // 10000 bytes
+
+/// Two files on their way, the line cut while the third chunk of the second one was not acknowledged.
+MediaTransfer cut_off(std::uint32_t& numbers) {
+  MediaTransfer transfer(PutFiles{{{"P0001.tap", "abc"}, {"P0001.txt", kThree}, {"P0002.txt", "abc"}}});
+  static_cast<void>(transfer.begin(numbers));
+  for (const std::uint64_t offset : {0U, 3U}) static_cast<void>(transfer.take(ack(1, offset), numbers));
+  for (const std::uint64_t offset : {0U, 4096U, 8192U}) static_cast<void>(transfer.take(ack(2, offset), numbers));
+  transfer.pause();
+  numbers = 0;  // the next connection counts anew
+  return transfer;
+}
+
+TEST(MediaTransfer, ACutLineGoesOnWhereTheStationWas) {  // SEAT-004
+  const struct {
+    const char* name;
+    std::uint64_t answer;
+    std::string next;
+  } rows[] = {
+      {"it has what it acknowledged", 8192, "chunk 8192+1808 last"},
+      {"it has nothing, or knows no offsets", 0, "chunk 0+4096"},
+      {"more than it acknowledged", 10'000, "breach"},
+      {"less", 4096, "breach"},
+      {"one byte", 1, "breach"},
+      {"beyond all files", UINT64_MAX, "breach"},
+  };
+  for (const auto& row : rows) {
+    std::uint32_t numbers = 0;
+    MediaTransfer transfer = cut_off(numbers);
+    EXPECT_EQ(told(transfer.begin(numbers), kThree), "put P0001.txt 10000 from 8192") << "the first one is there";
+    EXPECT_EQ(told(transfer.take(ack(1, row.answer), numbers)), row.next) << row.name;
+  }
+}
+
+TEST(MediaTransfer, AFileThatWentOnEndsAndTheNextBeginsAtZero) {  // SEAT-004
   std::uint32_t numbers = 0;
+  MediaTransfer transfer = cut_off(numbers);
+  static_cast<void>(transfer.begin(numbers));
+  static_cast<void>(transfer.take(ack(1, 8192), numbers));
+  EXPECT_EQ(told(transfer.take(ack(1, 10'000), numbers)), "put P0002.txt 3");
+  transfer.pause();
+  numbers = 0;
+  EXPECT_EQ(told(transfer.begin(numbers)), "put P0002.txt 3") << "nothing of it was acknowledged";
+  EXPECT_EQ(told(transfer.take(ack(1, 0), numbers)), "chunk 0+3 last");
+  transfer.pause();
+  numbers = 0;
+  EXPECT_EQ(told(transfer.begin(numbers)), "put P0002.txt 3");
+  static_cast<void>(transfer.take(ack(1, 0), numbers));
+  EXPECT_EQ(told(transfer.take(ack(1, 3), numbers)), "done 0");
+}
+
+TEST(MediaTransfer, WhatBeganAnewCountsFromThere) {  // SEAT-004
+  std::uint32_t numbers = 0;
+  MediaTransfer transfer = cut_off(numbers);
   static_cast<void>(transfer.begin(numbers));
   static_cast<void>(transfer.take(ack(1, 0), numbers));
-  static_cast<void>(transfer.take(ack(1, 3), numbers));
-  EXPECT_EQ(told(transfer.take(ack(2, 0), numbers)), "chunk 0+4096");
+  EXPECT_EQ(told(transfer.take(ack(1, 4096), numbers)), "chunk 4096+4096");
   transfer.pause();
-  std::uint32_t numbers_of_the_new_line = 0;
-  EXPECT_EQ(told(transfer.begin(numbers_of_the_new_line)), "put P0001.txt 5000") << "the first one is there";
-  EXPECT_EQ(told(transfer.take(ack(1, 0), numbers_of_the_new_line)), "chunk 0+4096");
+  numbers = 0;
+  EXPECT_EQ(told(transfer.begin(numbers), kThree), "put P0001.txt 10000 from 4096");
+  EXPECT_EQ(told(transfer.take(ack(1, 4096), numbers)), "chunk 4096+4096");
+  EXPECT_EQ(told(transfer.take(ack(1, 0), numbers)), "breach") << "only the first answer says where";
+}
+
+TEST(MediaTransfer, AFileIsReadOnOrAnewAsTheStationFindsIt) {  // SEAT-004
+  const struct {
+    const char* name;
+    std::uint64_t offset;
+    std::size_t size;
+    std::string next;
+  } rows[] = {
+      {"it is the same", 4096, 904, "ack 5000, done 5000"},
+      {"it has changed, or the station knows no offsets", 0, 904, "ack 904, done 904"},
+      {"a gap", 4097, 904, "breach"},
+      {"a piece that is here", 1, 904, "breach"},
+      {"beyond all files", UINT64_MAX, 904, "breach"},
+  };
+  for (const auto& row : rows) {
+    MediaTransfer transfer(GetFile{{"P0001.nc", "SPEICHER.nc"}});
+    std::uint32_t numbers = 0;
+    static_cast<void>(transfer.begin(numbers));
+    static_cast<void>(transfer.take(chunk(1, 0, 4096, false)));
+    transfer.pause();
+    numbers = 0;
+    EXPECT_EQ(told(transfer.begin(numbers), std::string(4096, 'x')), "get P0001.nc from 4096");
+    EXPECT_EQ(told(transfer.take(chunk(1, row.offset, row.size, true))), row.next) << row.name;
+  }
+}
+
+TEST(MediaTransfer, OnlyTheFirstChunkSaysWhereTheFileGoesOn) {  // SEC-006
+  MediaTransfer transfer(GetFile{{"P0001.nc"}});
+  std::uint32_t numbers = 0;
+  static_cast<void>(transfer.begin(numbers));
+  static_cast<void>(transfer.take(chunk(1, 0, 4096, false)));
+  EXPECT_EQ(told(transfer.take(chunk(1, 0, 4096, false))), "breach");
 }
 
 TEST(MediaTransfer, AStationThatDoesNotKeepToTheOrderIsABreach) {  // SEC-006
@@ -93,7 +192,7 @@ TEST(MediaTransfer, AStationThatDoesNotKeepToTheOrderIsABreach) {  // SEC-006
     const char* name;
     panel::MediaRequest request;
     std::function<MediaTransfer::Step(MediaTransfer&, std::uint32_t&)> act;
-  } kRows[] = {
+  } rows[] = {
       {"acknowledges ahead", PutFiles{{{"P0001.nc", "abc"}}}, [](auto& t, auto& n) { return t.take(ack(1, 1), n); }},
       {"sends unasked", PutFiles{{{"P0001.nc", "abc"}}}, [](auto& t, auto&) { return t.take(chunk(1, 0, 1, true)); }},
       {"acknowledges nothing", GetFile{{"P0001.nc"}}, [](auto& t, auto& n) { return t.take(ack(1, 0), n); }},
@@ -101,7 +200,7 @@ TEST(MediaTransfer, AStationThatDoesNotKeepToTheOrderIsABreach) {  // SEC-006
       {"sends nothing", GetFile{{"P0001.nc"}}, [](auto& t, auto&) { return t.take(chunk(1, 0, 0, true)); }},
       {"too large a chunk", GetFile{{"P0001.nc"}}, [](auto& t, auto&) { return t.take(chunk(1, 0, 4097, true)); }},
   };
-  for (const auto& row : kRows) {
+  for (const auto& row : rows) {
     MediaTransfer transfer(row.request);
     std::uint32_t numbers = 0;
     static_cast<void>(transfer.begin(numbers));

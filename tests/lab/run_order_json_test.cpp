@@ -44,12 +44,14 @@ TEST_F(RunOrderJson, STO_007_AValueOutsideItsRangeIsRefusedByName) {
                               {"/modal/dimension", 2, "dimension"},
                               {"/modal/spindle", 99, "spindle"},
                               {"/modal/f", 100'000, "f"},
-                              {"/modal/t", "one", "string"},
+                              {"/modal/t", "one", "t: "},
+                              {"/modal/m25", true, "m25"},
                               {"/program", 10'000, "program"},
                               {"/block", 7, "P0001 N007"},
                               {"/texts/10000", Json::array({"N001G90"}), "P10000"},
                               {"/versions/2", 99, "P0002 version 99"},
-                              {"/parameters/70", 1, ""},
+                              {"/parameters/70", 1, "70"},
+                              {"/parameters/69", 0.5, "69"},
                               {"/position", Json::array({1.0}), ""}};
   for (const Row& row : rows) {
     Json json = good();

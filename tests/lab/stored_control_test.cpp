@@ -47,34 +47,37 @@ TEST(StoredControl, ERR_014_ADatumWithAWrongCheckCodePutsTheWholeRomSetInPlace) 
   EXPECT_EQ(machine_data_of({stored_datum(7, 1234), wrong}), machine::MachineData{});
 }
 
-TEST(StoredControl, STO_005_OnlyChangedMachineDataAreWritten) {
-  auto database = db::Database::open(":memory:").value();
-  db::Person person;
-  person.name = "eva";
-  person.role = "student";
-  const auto id = database.add_person(person, 1).value();
-  const db::Author author{"eva", 3, 1};
-  database.put_machine_datum(id, {6, 2500, 1}, author);
-  carry_out(database, id, panel::PutMachineData{}, author);
-  EXPECT_FALSE(is_damaged(database.machine_data(id))) << "a wrong check code is renewed";
+/// Eva, of whom nothing is stored.
+class StoredStudent : public testing::Test {
+ protected:
+  StoredStudent() {
+    db::Person person;
+    person.name = "eva";
+    person.role = "student";
+    eva_ = database_.add_person(person, 1).value();
+  }
+
+  inline static const db::Author kEva{"eva", 3, 1};
+  db::Database database_ = db::Database::open(":memory:").value();
+  db::PersonId eva_{};
+};
+
+TEST_F(StoredStudent, STO_005_OnlyChangedMachineDataAreWritten) {
+  database_.put_machine_datum(eva_, {6, 2500, 1}, kEva);
+  carry_out(database_, eva_, panel::PutMachineData{}, kEva);
+  EXPECT_FALSE(is_damaged(database_.machine_data(eva_))) << "a wrong check code is renewed";
   machine::MachineData data;
   ASSERT_TRUE(data.set(22, 0));
-  carry_out(database, id, panel::PutMachineData{data}, author);
-  EXPECT_EQ(machine_data_of(database.machine_data(id)), data);
+  carry_out(database_, eva_, panel::PutMachineData{data}, kEva);
+  EXPECT_EQ(machine_data_of(database_.machine_data(eva_)), data);
 }
 
-TEST(StoredControl, StoresWhatAControlAsksFor) {
-  auto database = db::Database::open(":memory:").value();
-  db::Person person;
-  person.name = "eva";
-  person.role = "student";
-  const auto id = database.add_person(person, 1).value();
-  const db::Author author{"eva", 3, 1};
+TEST_F(StoredStudent, StoresWhatAControlAsksFor) {
   for (const char* text : {"N001G90", "N002G00X+1000"})
-    carry_out(database, id, panel::PutBlock{1, block_of(text)}, author);
-  carry_out(database, id, panel::InsertBlock{1, block_of("N002G91")}, author);
-  carry_out(database, id, panel::DeleteBlock{1, 1}, author);
-  const auto memory = memory_of(read_control(database, id).programs, 16384);
+    carry_out(database_, eva_, panel::PutBlock{1, block_of(text)}, kEva);
+  carry_out(database_, eva_, panel::InsertBlock{1, block_of("N002G91")}, kEva);
+  carry_out(database_, eva_, panel::DeleteBlock{1, 1}, kEva);
+  const auto memory = memory_of(read_control(database_, eva_).programs, 16384);
   const auto* program = memory.find(1);
   ASSERT_NE(program, nullptr);
   ASSERT_EQ(program->blocks.size(), 2U);
@@ -83,46 +86,34 @@ TEST(StoredControl, StoresWhatAControlAsksFor) {
   EXPECT_FALSE(program->blocks[1].is_damaged) << "EDIT-020: the raised number has its own check code";
 }
 
-TEST(StoredControl, EXT_023_024_STO_005_WhatWasReadTakesTheOldOnesPlaceAndTheVersionsStay) {
-  auto database = db::Database::open(":memory:").value();
-  db::Person person;
-  person.name = "eva";
-  person.role = "student";
-  const auto id = database.add_person(person, 1).value();
-  const db::Author author{"eva", 3, 1};
-  carry_out(database, id, panel::PutBlock{1, block_of("N001G90")}, author);
-  carry_out(database, id, panel::PutBlock{2, block_of("N001G90")}, author);
+TEST_F(StoredStudent, EXT_023_024_STO_005_WhatWasReadTakesTheOldOnesPlaceAndTheVersionsStay) {
+  carry_out(database_, eva_, panel::PutBlock{1, block_of("N001G90")}, kEva);
+  carry_out(database_, eva_, panel::PutBlock{2, block_of("N001G90")}, kEva);
   machine::MachineData data;
   ASSERT_TRUE(data.set(6, 2000));
   const language::Program read{.number = 1, .blocks = {block_of("N001G91"), block_of("N005G00X+1000")}};
-  carry_out(database, id, panel::PutPrograms{.programs = {read}, .removed = {1, 2}, .data = data}, author);
-  const auto stored = read_control(database, id);
+  carry_out(database_, eva_, panel::PutPrograms{.programs = {read}, .removed = {1, 2}, .data = data}, kEva);
+  const auto stored = read_control(database_, eva_);
   const auto memory = memory_of(stored.programs, 16384);
   ASSERT_EQ(memory.programs().size(), 1U);
   EXPECT_EQ(memory.programs()[0], read);
   EXPECT_EQ(machine_data_of(stored.machine_data), data);
-  EXPECT_FALSE(database.versions(id, 2).empty());
+  EXPECT_FALSE(database_.versions(eva_, 2).empty());
 }
 
-TEST(StoredControl, MOD_077_STO_005_ErasingTheWholeMemoryResetsTheMachineDataAndKeepsTheVersions) {
-  auto database = db::Database::open(":memory:").value();
-  db::Person person;
-  person.name = "eva";
-  person.role = "student";
-  const auto id = database.add_person(person, 1).value();
-  const db::Author author{"eva", 3, 1};
-  carry_out(database, id, panel::PutBlock{1, block_of("N001G90")}, author);
-  carry_out(database, id, panel::PutBlock{0, block_of("T001R+5000", 0)}, author);
+TEST_F(StoredStudent, MOD_077_STO_005_ErasingTheWholeMemoryResetsTheMachineDataAndKeepsTheVersions) {
+  carry_out(database_, eva_, panel::PutBlock{1, block_of("N001G90")}, kEva);
+  carry_out(database_, eva_, panel::PutBlock{0, block_of("T001R+5000", 0)}, kEva);
   machine::MachineData data;
   ASSERT_TRUE(data.set(6, 2000));
-  carry_out(database, id, panel::PutMachineData{data}, author);
-  carry_out(database, id, panel::EraseMemory{{0, 1}, {}}, author);
-  const auto stored = read_control(database, id);
+  carry_out(database_, eva_, panel::PutMachineData{data}, kEva);
+  carry_out(database_, eva_, panel::EraseMemory{{0, 1}, {}}, kEva);
+  const auto stored = read_control(database_, eva_);
   EXPECT_TRUE(memory_of(stored.programs, 16384).programs().empty());
   EXPECT_EQ(machine_data_of(stored.machine_data), machine::MachineData{});
-  const auto versions = database.versions(id, 1);
+  const auto versions = database_.versions(eva_, 1);
   ASSERT_EQ(versions.size(), 2U);
-  EXPECT_EQ(database.program_at(id, 1, versions.front().version).value(), std::vector<std::string>{"N001G90"});
+  EXPECT_EQ(database_.program_at(eva_, 1, versions.front().version).value(), std::vector<std::string>{"N001G90"});
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include "language/listing.hpp"
 #include "language/program_text.hpp"
 #include "random_program.hpp"
+#include "tape_text.hpp"
 
 namespace cnclab::language {
 namespace {
@@ -114,9 +115,7 @@ TEST_F(ListingRoundTrip, AnyLinesAreReadWithoutHarm) {
     for (const ReadProgram& read : first.programs) written += write_listing(read.program, kTime, Tongue::german);
     const Tape second = read_listing(written);
     RC_ASSERT(second.errors.empty());
-    RC_ASSERT(second.programs.size() == first.programs.size());
-    for (std::size_t i = 0; i < first.programs.size(); ++i)
-      RC_ASSERT(second.programs[i].program == first.programs[i].program);
+    RC_ASSERT(programs_in(second) == programs_in(first));
   }));
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "tape_block.hpp"
+#include "tape_text.hpp"
 
 namespace cnclab::language {
 namespace {
@@ -98,19 +99,6 @@ N003G02X+5Y-5I+10000J+10000
 N004G01X-5Y+5
 N005G01X-20000Y-20000
 )";
-
-std::string programs_of(const Tape& tape) {
-  std::string text;
-  for (const ReadProgram& read : tape.programs) text += write_program(read.program);
-  return text;
-}
-
-std::string messages_of(const Tape& tape) {
-  std::string text;
-  for (const Error& error : tape.errors)
-    text += std::to_string(error.line) + ' ' + explain(error, Tongue::german) + '\n';
-  return text;
-}
 
 TEST(Listing, OfTheManualIsRead_EX_080_EX_100) {
   const Tape square = read_listing(kSquare);

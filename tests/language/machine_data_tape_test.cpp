@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "language/tape.hpp"
+#include "tape_text.hpp"
 
 namespace cnclab::language {
 namespace {
@@ -16,19 +17,6 @@ std::string data_of(const Tape& tape) {
     if (!text.empty()) text += ' ';
     text += (datum.number < 10 ? "0" : "") + std::to_string(datum.number) + '=' + std::to_string(datum.value);
   }
-  return text;
-}
-
-std::string programs_of(const Tape& tape) {
-  std::string text;
-  for (const ReadProgram& read : tape.programs) text += write_program(read.program);
-  return text;
-}
-
-std::string messages_of(const Tape& tape) {
-  std::string text;
-  for (const Error& error : tape.errors)
-    text += std::to_string(error.line) + ' ' + explain(error, Tongue::german) + '\n';
   return text;
 }
 

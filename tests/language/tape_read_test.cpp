@@ -4,28 +4,12 @@
 
 #include "language/tape.hpp"
 #include "tape_block.hpp"
+#include "tape_text.hpp"
 
 namespace cnclab::language {
 namespace {
 
 using std::string_literals::operator""s;
-
-/// Every program of a tape as text, "|" between them.
-std::string texts_of(const Tape& tape) {
-  std::string text;
-  for (const ReadProgram& read : tape.programs) {
-    if (!text.empty()) text += '|';
-    text += write_program(read.program);
-  }
-  return text;
-}
-
-std::string messages_of(const Tape& tape) {
-  std::string text;
-  for (const Error& error : tape.errors)
-    text += std::to_string(error.line) + ' ' + explain(error, Tongue::german) + '\n';
-  return text;
-}
 
 struct TapeRow {
   std::string id, text, programs;
@@ -63,7 +47,7 @@ TEST(Tape, ReadsProgramsToTheirEnds_EXT_049_to_055) {
   };
   for (const TapeRow& row : rows) {
     const Tape tape = read_tape(row.text, Reading::file);
-    EXPECT_EQ(texts_of(tape), row.programs) << row.id;
+    EXPECT_EQ(programs_of(tape, "|"), row.programs) << row.id;
     EXPECT_EQ(messages_of(tape), "") << row.id;
     EXPECT_TRUE(tape.notices.empty()) << row.id;
   }
@@ -71,7 +55,7 @@ TEST(Tape, ReadsProgramsToTheirEnds_EXT_049_to_055) {
 
 TEST(Tape, ControlIgnoresSmallLettersAndStopsAtPercent_EXT_049_EXT_055_DEC_30) {
   const Tape tape = read_tape("pP0001xn N001hello G00 X+12~N002G17%P0002N001G18", Reading::strict);
-  EXPECT_EQ(texts_of(tape), "P0001\nN001G00X+12\nN002G17\n");
+  EXPECT_EQ(programs_of(tape, "|"), "P0001\nN001G00X+12\nN002G17\n");
   EXPECT_EQ(messages_of(tape), "");
 }
 
@@ -84,7 +68,7 @@ TEST(Tape, ControlKnowsNoComments_D_101) {
 
 TEST(Tape, ReservedProgramsAreLeftOutWithANotice_DEC_06) {
   const Tape tape = read_tape("P9981N001G99X+1P9980N001G17P9990N001G17P9989N001G17", Reading::file);
-  EXPECT_EQ(texts_of(tape), "P9980\nN001G17\n|P9990\nN001G17\n");
+  EXPECT_EQ(programs_of(tape, "|"), "P9980\nN001G17\n|P9990\nN001G17\n");
   EXPECT_EQ(messages_of(tape), "");
   ASSERT_EQ(tape.notices.size(), 2U);
   EXPECT_THAT(tape.notices[0], testing::HasSubstr("P9981"));
@@ -100,7 +84,7 @@ TEST(Tape, KeepsTheLineOfEachBlock) {
 TEST(Tape, AllErrorsNotOnlyTheFirst) {
   const Tape tape =
       read_tape("P0001\nN001G99\nN002G17\nN003G01X+\nN004G20P0001\nP0002\nN001G01F0\nP0003\nN001G17", Reading::file);
-  EXPECT_EQ(texts_of(tape), "P0003\nN001G17\n");
+  EXPECT_EQ(programs_of(tape, "|"), "P0003\nN001G17\n");
   ASSERT_EQ(tape.errors.size(), 4U) << messages_of(tape);
   const Error expected[] = {
       {.code = ErrorCode::function_unknown, .program = 1, .block = 1, .word = 'G', .detail = "G99", .line = 2},
@@ -133,7 +117,7 @@ TEST(Tape, FileWithSmallLettersGivesNoProgramAtAll_DEC_30) {
 
 TEST(Tape, RowsBehindAnErrorAreCheckedAsWell_D_50) {
   const Tape tape = read_tape("P12 P0000T801R+1000P0001N001G17", Reading::file);
-  EXPECT_EQ(texts_of(tape), "P0001\nN001G17\n");
+  EXPECT_EQ(programs_of(tape, "|"), "P0001\nN001G17\n");
 }
 
 TEST(Tape, ErrorsAreBounded) {

@@ -9,6 +9,7 @@
 #include "language/tape.hpp"
 #include "random_program.hpp"
 #include "tape_block.hpp"
+#include "tape_text.hpp"
 
 namespace cnclab::language {
 namespace {
@@ -93,9 +94,7 @@ TEST_F(RoundTrip, AnyBytesAreReadWithoutHarm) {
       for (const ReadProgram& read : first.programs) written += write_program(read.program);
       const Tape second = read_tape(written, reading);
       RC_ASSERT(second.errors.empty());
-      RC_ASSERT(second.programs.size() == first.programs.size());
-      for (std::size_t i = 0; i < first.programs.size(); ++i)
-        RC_ASSERT(second.programs[i].program == first.programs[i].program);
+      RC_ASSERT(programs_in(second) == programs_in(first));
     }
   }));
 }

@@ -4,21 +4,11 @@
 #include <thread>
 
 #include "channel_rig.hpp"
+#include "comes_true.hpp"
 #include "machine/tick_thread.hpp"
 
 namespace cnclab::machine {
 namespace {
-
-/// Waits for a condition with a limit; gives the processor away meanwhile.
-template <class Condition>
-bool comes_true(Condition&& condition) {
-  const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (std::chrono::steady_clock::now() < limit) {
-    if (condition()) return true;
-    std::this_thread::yield();
-  }
-  return false;
-}
 
 TEST(TickThread, TicksEachChannelAndTellsWhatItWasGranted) {
   TickThread beat;

@@ -1,10 +1,11 @@
-// A beat that stalls takes the current from the machine (issue's point 7; AUTH-009, AUTH-010).
+// A beat that stalls takes the current from the machine (AUTH-007, AUTH-009, AUTH-010).
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <thread>
 
 #include "channel_rig.hpp"
+#include "comes_true.hpp"
 #include "machine/watchdog.hpp"
 
 namespace cnclab::machine {
@@ -73,16 +74,6 @@ class HangingMachine final : public Machine {
   std::atomic<bool> hangs{false}, drives_on{true};
   std::atomic<int> cuts{0};
 };
-
-template <class Condition>
-bool comes_true(Condition&& condition) {
-  const auto limit = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (std::chrono::steady_clock::now() < limit) {
-    if (condition()) return true;
-    std::this_thread::yield();
-  }
-  return false;
-}
 
 TEST(Watchdog, AHangingDriverIsCutFromOutsideTheTick) {
   HangingMachine machine;

@@ -193,6 +193,26 @@ TEST_F(ExternalData, ThePrinterGivesTextAndPdf_EXT_003_to_005) {
   EXPECT_THAT(bench.monitor(15), HasSubstr("Programm fehlt"));
 }
 
+TEST_F(ExternalData, Row18NamesTheFilesThatWereWritten_SYS_019) {
+  struct Row {
+    const char *keys, *sentence;
+  };
+  for (const Row& row :
+       {Row{"4 CLEAR 1 ENTER", "Ausgabe beendet: P0001.nc. Gerät wählen."},
+        Row{"3 CLEAR 1 ENTER", "Ausgabe beendet: P0001.tap, P0001.txt. Gerät wählen."},
+        Row{"4 CLEAR ENTER", "Ausgabe beendet: SPEICHER.nc. Gerät wählen."},
+        Row{"1 CLEAR ENTER", "Ausgabe beendet: DRUCK-SPEICHER.txt, DRUCK-SPEICHER.pdf. Gerät wählen."}}) {
+    bench.keys(row.keys);
+    bench.run_for(20);
+    EXPECT_EQ(bench.row(18), row.sentence) << row.keys;
+  }
+  bench.control.connect_printer(true);
+  bench.control.connect_media(false);  // the pages are printed in the lab and stand in no folder
+  bench.keys("1 CLEAR 1 ENTER");
+  bench.run_for(20);
+  EXPECT_EQ(bench.row(18), "Ausgabe beendet. Gerät wählen.");
+}
+
 TEST(ExternalData3250, HasNeitherPrinterNorPunchedTape_MODEL_004_005) {
   Bench bench({.settings = {.vocabulary = {.model = language::Model::cnc3250}}});
   bench.control.connect_media(true);

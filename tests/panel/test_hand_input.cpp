@@ -12,6 +12,18 @@ void function(Bench& bench, std::string_view code) {
   bench.type(code);
 }
 
+/// G00 X10, and STOP on the way there.
+void stop_on_the_way(Bench& bench) {
+  bench.keys("HANDEINGABE");
+  bench.type("00");
+  bench.keys("ENTER");
+  bench.type("10");
+  bench.keys("START");
+  bench.run_for(150);
+  bench.keys("STOP");
+  ASSERT_TRUE(bench.run_to_rest());
+}
+
 /// Keys in the function and START.
 void execute(Bench& bench, std::string_view code) {
   function(bench, code);
@@ -39,14 +51,7 @@ TEST(HandInput, EX_020_JoggingRepeatsTheBlockWithEveryStart) {
 
 TEST(HandInput, EX_021_StopThenStartDoesOnlyTheRest) {
   Bench bench;
-  bench.keys("HANDEINGABE");
-  bench.type("00");
-  bench.keys("ENTER");
-  bench.type("10");
-  bench.keys("START");
-  bench.run_for(150);
-  bench.keys("STOP");
-  ASSERT_TRUE(bench.run_to_rest());
+  stop_on_the_way(bench);
   EXPECT_GT(bench.istwert(0), 0);
   EXPECT_LT(bench.istwert(0), 10);
   bench.keys("CLEAR");
@@ -59,14 +64,7 @@ TEST(HandInput, EX_021_StopThenStartDoesOnlyTheRest) {
 
 TEST(HandInput, EX_022_MenuAbandonsTheRestAndThePositionStays) {
   Bench bench;
-  bench.keys("HANDEINGABE");
-  bench.type("00");
-  bench.keys("ENTER");
-  bench.type("10");
-  bench.keys("START");
-  bench.run_for(150);
-  bench.keys("STOP");
-  ASSERT_TRUE(bench.run_to_rest());
+  stop_on_the_way(bench);
   const double stopped_at = bench.istwert(0);
   bench.keys("MENU");
   EXPECT_EQ(bench.control.mode(), Mode::menu);

@@ -7,6 +7,7 @@
 
 #include "bench.hpp"
 #include "panel/screen/canvas.hpp"
+#include "panel/screen/names.hpp"
 #include "panel/screen/texts.hpp"
 
 namespace cnclab::panel {

@@ -78,6 +78,7 @@ asio::awaitable<v1::Login> FakeLine::admit(std::string ticket) {
   answer.set_ticket(ticket);
   answer.set_role("student");
   answer.set_language("de");
+  answer.set_user(login.login().user());
   co_await answer_login(answer);
   co_return login.login();
 }

@@ -4,11 +4,16 @@
 #include <gmock/gmock.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
+#include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <fstream>
+#include <functional>
 
 #include "fake_server.hpp"
+#include "shared/digest.hpp"
 #include "shared/media_name.hpp"
 #include "station/media_drive.hpp"
 
@@ -24,13 +29,27 @@ std::string content(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
+/// What the server says that the receiver has of a file: `offset` bytes, and the SHA-256 of `proven`.
+struct Known {
+  std::uint64_t offset = 0;
+  std::string proven{};
+};
+
 /// A drive over a folder of its own, spoken to as the server does.
 class Media : public testing::Test {
  protected:
   using Answer = std::optional<v1::ClientMessage>;
 
-  Answer put(const std::string& name, std::uint64_t size) {
+  static Known known(const std::string& bytes) { return {bytes.size(), bytes}; }
+  template <class Request>
+  static void tell(Request& request, const Known& known) {
+    request.set_offset(known.offset);
+    if (!known.proven.empty()) request.set_digest(sha256(known.proven));
+  }
+
+  Answer put(const std::string& name, std::uint64_t size, const Known& known = {}) {
     v1::ServerMessage message;
+    tell(*message.mutable_put_media(), known);
     message.mutable_put_media()->set_transfer(++transfer_);
     message.mutable_put_media()->set_name(name);
     message.mutable_put_media()->set_size(size);
@@ -44,8 +63,9 @@ class Media : public testing::Test {
     message.mutable_chunk()->set_is_last(is_last);
     return drive_.take(message);
   }
-  Answer get(const std::vector<std::string>& names) {
+  Answer get(const std::vector<std::string>& names, const Known& known = {}) {
     v1::ServerMessage message;
+    tell(*message.mutable_get_media(), known);
     message.mutable_get_media()->set_transfer(++transfer_);
     for (const std::string& name : names) message.mutable_get_media()->add_names(name);
     return drive_.take(message);
@@ -56,6 +76,12 @@ class Media : public testing::Test {
     message.mutable_chunk_ack()->set_next_offset(next_offset);
     message.mutable_chunk_ack()->set_abort(is_abort);
     return drive_.take(message);
+  }
+
+  /// The line was cut: the next connection counts its transfers from 1 again.
+  void cut() {
+    drive_.pause();
+    transfer_ = 0;
   }
 
   /// What an answer comes to: "ack 4096", "fault NOT_FOUND", "chunk 0+4096", "chunk 4096+904 last", "none".
@@ -142,9 +168,9 @@ TEST_F(Media, SEC_006_SizesAndOrderOfChunksAreHeldTo) {
     std::uint64_t offset;
     std::string data;
     bool is_last;
-  } kWrong[] = {{1, "abc", true}, {0, "abcd", true}, {0, "abc", false},
-                {0, "ab", true},  {0, "", false},    {0, std::string(4097, 'a'), false}};
-  for (const auto& row : kWrong) {
+  } wrong[] = {{1, "abc", true}, {0, "abcd", true}, {0, "abc", false},
+               {0, "ab", true},  {0, "", false},    {0, std::string(4097, 'a'), false}};
+  for (const auto& row : wrong) {
     EXPECT_EQ(told(put("P0001.nc", 3)), "ack 0");
     EXPECT_EQ(told(chunk(row.offset, row.data, row.is_last)), "fault REFUSED") << row.offset << " " << row.data.size();
   }
@@ -184,12 +210,141 @@ TEST_F(Media, EXT_030_TheFirstThatIsThereIsSent) {
 TEST_F(Media, EXT_030_WhatCannotBeReadIsTold) {
   folder_.write("P0001.nc", "");
   folder_.write("P0002.nc", std::string(kLargestMediaRead + 1, 'x'));
-  folder_.write("P0003.nc", std::string(6000, 'x'));
   EXPECT_EQ(told(get({"P0001.nc"})), "fault TOO_LARGE");
   EXPECT_EQ(told(get({"P0002.nc"})), "fault TOO_LARGE");
+}
+
+TEST_F(Media, EXT_030_AFileIsSentAsItStoodWhenItWasAskedFor) {
+  folder_.write("P0003.nc", std::string(5000, 'x'));
   EXPECT_EQ(told(get({"P0003.nc"})), "chunk 0+4096");
-  fs::resize_file(folder_.path() / "P0003.nc", 4100);
-  EXPECT_EQ(told(acknowledge(4096)), "fault NOT_READABLE") << "it has become shorter meanwhile";
+  folder_.write("P0003.nc", std::string(4100, 'y'));
+  const Answer rest = acknowledge(4096);
+  EXPECT_EQ(told(rest), "chunk 4096+904 last");
+  EXPECT_EQ(rest->chunk().data(), std::string(904, 'x')) << "no mixture of the two";
+}
+
+const std::string kThree = std::string(4096, 'a') + std::string(4096, 'b') + std::string(1808, 'c');  // 10000 bytes
+
+TEST_F(Media, SEAT_004_AFileGoesOnWhereTheServerProvesThatItIsTheSame) {
+  const struct {
+    const char* name;
+    std::string file = "P0001.nc";
+    std::uint64_t size = 10'000;
+    Known known{};
+    std::uint64_t goes_on_at = 0;
+  } rows[] = {
+      {.name = "all that came", .known = known(kThree.substr(0, 8192)), .goes_on_at = 8192},
+      {.name = "an acknowledgement was lost", .known = known(kThree.substr(0, 4096)), .goes_on_at = 4096},
+      {.name = "in the midst of a chunk", .known = known(kThree.substr(0, 5000)), .goes_on_at = 5000},
+      {.name = "more than came", .known = known(kThree.substr(0, 8193))},
+      {.name = "all of it, which never came", .known = known(kThree)},
+      {.name = "beyond all files", .known = {UINT64_MAX, kThree.substr(0, 8192)}},
+      {.name = "other bytes", .known = {8192, std::string(8192, 'x')}},
+      {.name = "no proof", .known = {8192, ""}},
+      {.name = "a server that knows no offsets"},
+      {.name = "another size", .size = 10'001, .known = known(kThree.substr(0, 8192))},
+      {.name = "another name", .file = "P0002.nc", .known = known(kThree.substr(0, 8192))},
+  };
+  for (const auto& row : rows) {
+    drive_ = MediaDrive(MediaPlace{folder_.path(), false}, "anna");
+    put("P0001.nc", kThree.size());
+    chunk(0, kThree.substr(0, 4096), false);
+    chunk(4096, kThree.substr(4096, 4096), false);
+    cut();
+    EXPECT_EQ(told(put(row.file, row.size, row.known)), "ack " + std::to_string(row.goes_on_at)) << row.name;
+    EXPECT_THAT(files(), IsEmpty()) << "of half a file nothing is to be seen";
+  }
+}
+
+TEST_F(Media, SEAT_004_WhatWentOnIsWhole) {
+  folder_.write("P0001.nc", "old");
+  put("P0001.nc", kThree.size());
+  chunk(0, kThree.substr(0, 4096), false);
+  cut();
+  EXPECT_EQ(told(chunk(4096, "x", false)), "none") << "nobody has asked on this connection";
+  EXPECT_EQ(told(put("P0001.nc", kThree.size(), known(kThree.substr(0, 4096)))), "ack 4096");
+  EXPECT_EQ(told(chunk(4096, kThree.substr(4096, 4096), false)), "ack 8192");
+  EXPECT_EQ(content(folder_.path() / "P0001.nc"), "old");
+  EXPECT_EQ(told(chunk(8192, kThree.substr(8192), true)), "ack 10000");
+  EXPECT_EQ(content(folder_.path() / "P0001.nc"), kThree);
+  cut();  // and the last acknowledgement never arrived
+  EXPECT_EQ(told(put("P0001.nc", kThree.size(), known(kThree.substr(0, 8192)))), "ack 8192");
+  EXPECT_EQ(told(chunk(8192, kThree.substr(8192), true)), "ack 10000");
+  EXPECT_EQ(content(folder_.path() / "P0001.nc"), kThree);
+  EXPECT_THAT(files(), ElementsAre("P0001.nc"));
+}
+
+TEST_F(Media, SEAT_004_OnlyOneFileIsKeptAndNotForLong) {
+  const struct {
+    const char* name;
+    std::function<void()> meanwhile;
+  } rows[] = {
+      {"another file", [this] { put("P0002.nc", 5); }},
+      {"a file that is refused", [this] { put("../P0002.nc", 5); }},
+      {"a file to be read", [this] { get({"P0003.nc"}); }},
+      {"the server breaks it off", [this] { acknowledge(0, true); }},
+      {"a chunk out of order", [this] { chunk(1, "x", false); }},
+      {"another session", [this] { drive_ = MediaDrive(MediaPlace{folder_.path(), false}, "anna"); }},
+  };
+  for (const auto& row : rows) {
+    put("P0001.nc", kThree.size());
+    chunk(0, kThree.substr(0, 4096), false);
+    row.meanwhile();
+    cut();
+    EXPECT_EQ(told(put("P0001.nc", kThree.size(), known(kThree.substr(0, 4096)))), "ack 0") << row.name;
+  }
+}
+
+TEST_F(Media, SEAT_004_AFileIsReadOnWhereItBeginsAsBefore) {
+  const std::string first = kThree.substr(0, 4096);
+  const struct {
+    const char* name;
+    std::vector<std::pair<std::string, std::string>> lie;  ///< when the line is back
+    std::string told, data{};
+    Known known{4096, kThree.substr(0, 4096)};
+  } rows[] = {
+      {"as it was", {{"P0001.nc", kThree}}, "chunk 4096+4096", kThree.substr(4096, 4096)},
+      {"new behind what has arrived", {{"P0001.nc", first + "new"}}, "chunk 4096+3 last", "new"},
+      {"new at its beginning", {{"P0001.nc", "N" + kThree.substr(1)}}, "chunk 0+4096", "N" + first.substr(1)},
+      {"shorter", {{"P0001.nc", first}}, "chunk 0+4096 last", first},
+      {"much shorter", {{"P0001.nc", "a"}}, "chunk 0+1 last", "a"},
+      {"another one of the names", {{"SPEICHER.nc", "all"}}, "chunk 0+3 last", "all"},
+      {"away", {}, "fault NOT_FOUND"},
+      {"a server that knows no offsets", {{"P0001.nc", kThree}}, "chunk 0+4096", first, {}},
+      {"no proof", {{"P0001.nc", kThree}}, "chunk 0+4096", first, {4096, ""}},
+      {"beyond all files", {{"P0001.nc", kThree}}, "chunk 0+4096", first, {UINT64_MAX, first}},
+  };
+  for (const auto& row : rows) {
+    folder_.write("P0001.nc", kThree);
+    EXPECT_EQ(told(get({"P0001.nc", "SPEICHER.nc"})), "chunk 0+4096");
+    EXPECT_EQ(told(acknowledge(4096)), "chunk 4096+4096");  // which is lost
+    cut();
+    for (const std::string& name : files()) fs::remove(folder_.path() / name);
+    for (const auto& [name, content] : row.lie) folder_.write(name, content);
+    const Answer answer = get({"P0001.nc", "SPEICHER.nc"}, row.known);
+    EXPECT_EQ(told(answer), row.told) << row.name;
+    EXPECT_EQ(answer->chunk().data(), row.data) << row.name;
+  }
+}
+
+TEST_F(Media, EXT_030_WhatAKilledStationHasLeftIsTakenAway) {
+  using namespace std::chrono_literals;
+  const fs::path old = folder_.write(".cnclab-4711.part", "half"), other = folder_.write(".profile", "mine");
+  folder_.write(".cnclab-4712.part", "half");
+  for (const fs::path& file : {old, other}) fs::last_write_time(file, fs::file_time_type::clock::now() - 11min);
+  fs::create_directory(folder_.path() / ".cnclab-1.part");
+  EXPECT_EQ(told(get({".cnclab-4711.part"})), "fault REFUSED") << "it is no file of the folder";
+  put("P0001.nc", 1);
+  EXPECT_EQ(told(chunk(0, "x", true)), "ack 1");
+  EXPECT_THAT(files(), ElementsAre(".cnclab-1.part", ".cnclab-4712.part", ".profile", "P0001.nc"))
+      << "another station may be writing the young one this moment";
+}
+
+TEST_F(Media, DEC_62_AFolderThatCannotBeWrittenIsToldBeforeAnythingTravels) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  fs::permissions(folder_.path(), fs::perms::owner_read | fs::perms::owner_exec);
+  EXPECT_EQ(told(put("P0001.nc", 1)), "fault NOT_WRITABLE");
+  fs::permissions(folder_.path(), fs::perms::owner_all);
 }
 
 TEST_F(Media, DEC_62_AFolderThatIsGoneIsTold) {

@@ -6,6 +6,7 @@
 #include <boost/asio/experimental/awaitable_operators.hpp>
 
 #include "fake_server.hpp"
+#include "shared/digest.hpp"
 
 namespace cnclab::station {
 namespace {
@@ -27,19 +28,22 @@ struct Played {
 };
 
 // Logs in at a server of these scripts and runs the test beside the session.
-Played play(std::vector<FakeServer::Script> scripts, Test test, Pace pace = kQuick, Session::Relogin relogin = {}) {
+Played play(std::vector<FakeServer::Script> scripts, Test test, Pace pace = kQuick, Session::Relogin relogin = {},
+            std::optional<MediaPlace> media = {}) {
   asio::io_context context;
   FakeServer server(context, std::move(scripts));
+  Door door = server.door();
+  door.media = std::move(media);
   Played played;
   const bool has_ended = run_to_end(context, [&]() -> asio::awaitable<void> {
     Credentials credentials{"anna", "geheim", 7, v1::ELSEWHERE_UNSPECIFIED, std::nullopt};
-    auto login = co_await attempt_login(server.door(), credentials);
+    auto login = co_await attempt_login(door, credentials);
     if (!login) throw std::runtime_error("no login");
     Broadcast changed(context.get_executor());
     if (!relogin) {
-      relogin = [&](v1::LoginAnswer) { return log_in(server.door(), credentials, false, {}); };
+      relogin = [&](v1::LoginAnswer) { return log_in(door, credentials, false, {}); };
     }
-    Session session(server.door(), std::move(*login), changed, relogin, pace);
+    Session session(door, std::move(*login), changed, relogin, pace);
     auto first = co_await (session.run() || test(session, changed));
     if (auto* const ending = std::get_if<0>(&first)) played.ending = std::move(*ending);
   }());
@@ -209,6 +213,70 @@ TEST(Session, AVoidTicketIsAnsweredByANewLogin) {
   EXPECT_EQ(played.connections, 3U);
   ASSERT_TRUE(played.ending);
   EXPECT_EQ(played.ending->code, ExitCode::ended_by_user);
+}
+
+v1::ServerMessage put_media(std::uint64_t offset = 0) {
+  v1::ServerMessage message;
+  message.mutable_put_media()->set_transfer(1);
+  message.mutable_put_media()->set_name("P0001.nc");
+  message.mutable_put_media()->set_size(6);
+  message.mutable_put_media()->set_offset(offset);
+  if (offset != 0) message.mutable_put_media()->set_digest(sha256(std::string_view("abcdef").substr(0, offset)));
+  return message;
+}
+
+/// Sends "abc", the first half of the file, and cuts the line.
+asio::awaitable<void> send_half(FakeLine& line) {
+  co_await line.send(put_media());
+  co_await line.read(v1::ClientMessage::kChunkAck);
+  v1::ServerMessage message;
+  message.mutable_chunk()->set_transfer(1);
+  message.mutable_chunk()->set_data("abc");
+  co_await line.send(message);
+  co_await line.read(v1::ClientMessage::kChunkAck);
+  line.cut();
+}
+
+TEST(Session, HalfAFileOutlivesACutButNoNewLoginAndNoOtherUser) {  // SEAT-004, SEC-006
+  const struct {
+    const char* name;
+    v1::LoginResult result;
+    std::string user;
+    std::uint64_t kept;
+  } rows[] = {
+      {"resumed", v1::LOGIN_RESULT_OK, "anna", 3},
+      {"resumed as somebody else", v1::LOGIN_RESULT_OK, "berta", 0},
+      {"logged in anew", v1::LOGIN_RESULT_TICKET_VOID, "anna", 0},
+  };
+  for (const auto& row : rows) {
+    const TemporaryFolder folder;
+    std::optional<std::uint64_t> kept;
+    const auto ask_again = [&](FakeLine& line) -> asio::awaitable<void> {
+      co_await line.send(put_media(3));
+      kept = (co_await line.read(v1::ClientMessage::kChunkAck)).chunk_ack().next_offset();
+      co_await line.say_bye(0, "");
+    };
+    play({[](FakeLine& line) -> asio::awaitable<void> {
+            co_await line.admit();
+            co_await send_half(line);
+          },
+          [&](FakeLine& line) -> asio::awaitable<void> {
+            co_await line.greet();
+            co_await line.read(v1::ClientMessage::kResume);
+            v1::LoginAnswer answer;
+            answer.set_result(row.result);
+            answer.set_user(row.user);
+            answer.set_ticket("ticket-2");
+            co_await line.answer_login(answer);
+            if (row.result == v1::LOGIN_RESULT_OK) co_await ask_again(line);
+          },
+          [&](FakeLine& line) -> asio::awaitable<void> {
+            co_await line.admit("ticket-9");
+            co_await ask_again(line);
+          }},
+         only_listens(), kQuick, {}, MediaPlace{folder.path(), false});
+    EXPECT_EQ(kept, row.kept) << row.name;
+  }
 }
 
 TEST(Session, ASilentServerCountsAsLost) {  // SEAT-004

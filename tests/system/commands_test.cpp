@@ -115,6 +115,13 @@ TEST_F(Commands, INS_003_programs_are_sent_to_all_and_collected_from_all) {
   must({"program", "send", (folder_.path() / "otto.tape").string(), "anna"});
 }
 
+TEST_F(Commands, DEC_06_a_tape_with_nothing_but_a_cycles_program_is_refused_with_the_reason) {
+  room_.add_student("anna");
+  EXPECT_THAT(ask({"program", "send", file("tape", "P9981\nN001G91\n"), "anna"}).errors,
+              HasSubstr("P9981 bis P9989 gehören den Zyklen"));
+  EXPECT_THAT(ask({"program", "send", file("empty", "%\n"), "anna"}).errors, HasSubstr("kein Programm"));
+}
+
 TEST_F(Commands, INS_003_a_program_that_does_not_fit_the_memory_is_refused_for_all) {
   room_.add_student("anna");
   std::string tape = "P0001\n";

@@ -15,13 +15,13 @@
 #include "harness/classroom.hpp"
 #include "harness/failure.hpp"
 #include "harness/raw_client.hpp"
+#include "programs.hpp"
 
 namespace cnclab::harness {
 namespace {
 
 using testing::HasSubstr;
 
-const std::string kEndless = "P0001\nN001G01X+100000F3000\nN002G01X-100000\nN003G20P0001N001\n";
 constexpr auto kLimit = 5s;
 
 /// While it lives, no file of the process can be written: as on a full disk, for that process alone.

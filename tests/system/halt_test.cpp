@@ -3,13 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "harness/classroom.hpp"
+#include "programs.hpp"
 
 namespace cnclab::harness {
 namespace {
 
 using testing::HasSubstr;
 
-const std::string kEndless = "P0001\nN001G01X+100000F3000\nN002G01X-100000\nN003G20P0001N001\n";
 constexpr auto kLimit = 5s;
 
 /// Station 1 (anna) runs an endless program on the lab's machine; station 2 (otto) looks on.

@@ -6,13 +6,13 @@
 #include "harness/classroom.hpp"
 #include "harness/monitor.hpp"
 #include "harness/raw_client.hpp"
+#include "programs.hpp"
 
 namespace cnclab::harness {
 namespace {
 
 using testing::HasSubstr;
 
-const std::string kEndless = "P0001\nN001G01X+100000F3000\nN002G01X-100000\nN003G20P0001N001\n";
 constexpr auto kLimit = 5s;
 
 /// An instructor's console that types: a connection that lasts, unlike a one-shot command's.

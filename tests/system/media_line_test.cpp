@@ -9,43 +9,94 @@
 namespace cnclab::harness {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
 
 class MediaLine : public testing::Test, public MediaSeat {};
 
-/// A program whose diskette file takes several chunks.
-std::string long_tape() {
-  std::string tape = "P0008";
+/// A program whose diskette file, as long as this text, takes four chunks.
+std::string long_tape(const std::string& y) {
+  std::string tape = "P0008\n";
   for (int block = 1; block <= 600; ++block)
-    tape += "N" + std::to_string(1000 + block).substr(1) + "G01X+" + std::to_string(block) + "000Y-123456\n";
-  return tape + "%";
+    tape += "N" + std::to_string(1000 + block).substr(1) + "G01X+" + std::to_string(block) + "000Y" + y + "\n";
+  return tape + "%\n";
 }
 
-TEST_F(MediaLine, SEAT_004_AFileIsRepeatedCleanlyAfterACutLine) {
-  room().add_student("berta");
-  room().instructor().must({"program", "send", room().folder().write("tape", long_tape()).string(), "anna"});
-  TcpProxy line(room().server().port());
-  StationProcess anna = sit_down(line.address());
-  anna.type("4");
-  anna.type("8");
-  anna.wait_for("0008");
+/// A student with a long program 8, at a station whose line can be cut where it shall be.
+class MediaCut : public MediaLine {
+ protected:
+  using Way = TcpProxy::Direction;
+  MediaCut() {
+    room().instructor().must({"program", "send", room().folder().write("tape", long_tape("-123456")).string(), "anna"});
+  }
+  /// Chooses program 8 on the device and presses →; returns when the line has broken in the midst of the file:
+  /// in its third chunk.
+  void cut_in_the_midst(const std::string& device, Way way) {
+    anna_.type(device);
+    anna_.type("8");
+    anna_.wait_for("0008");
+    line_.cut_after(way, 10'000);
+    anna_.press("ENTER");
+    ASSERT_TRUE(eventually(5s, [&] { return line_.is_cut(); }));
+    static_cast<void>(anna_.reply(5s));  // of the →, which the cut may have taken with it
+    before_ = line_.forwarded(way);
+  }
+  void mend_and_wait_for(const std::string& text) {
+    line_.mend();
+    // An error as long as the station has not come back.
+    ASSERT_TRUE(eventually(8s, [&] { return anna_.send("wait 8000 " + text) == "ok"; }));
+  }
+  /// Bytes on the wire since the cut, with the new connection's greeting and its first screens.
+  [[nodiscard]] std::uint64_t forwarded_since(Way way) const { return line_.forwarded(way) - before_; }
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : std::filesystem::directory_iterator(folder())) names.push_back(entry.path().filename());
+    return names;
+  }
+
+  TcpProxy line_{room().server().port()};
+  StationProcess anna_ = sit_down(line_.address());
+  std::uint64_t before_ = 0;
+};
+
+TEST_F(MediaCut, SEAT_004_AFileIsWrittenOnWhereTheLineWasCut) {
   lay("P0008.nc", "old");
-  line.limit(10'000);  // 17 KB take a while
-  anna.press("ENTER");
-  // The file is being written aside: neither the old nor the new one is touched by the cut.
-  ASSERT_TRUE(eventually(8s, [&] {
-    for (const auto& entry : std::filesystem::directory_iterator(folder()))
-      if (entry.path().filename().string().starts_with(".cnclab-") && entry.file_size() > 0) return true;
-    return false;
-  }));
-  line.cut();
+  cut_in_the_midst("4", Way::to_client);
   EXPECT_EQ(content("P0008.nc"), "old");
-  line.limit(0);
-  line.mend();
-  ASSERT_TRUE(eventually(10s, [&] { return content("P0008.nc") != "old"; }));
-  EXPECT_THAT(content("P0008.nc"), HasSubstr("\nN600G01X+600000Y-123456\n%\n"));
-  for (const auto& entry : std::filesystem::directory_iterator(folder()))
-    EXPECT_EQ(entry.path().filename().string().find(".part"), std::string::npos) << entry.path();
+  EXPECT_THAT(files(), ElementsAre("P0008.nc")) << "nothing half is to be seen";
+  mend_and_wait_for("Ausgabe beendet");
+  EXPECT_TRUE(content("P0008.nc") == long_tape("-123456")) << content("P0008.nc").size();
+  EXPECT_THAT(files(), ElementsAre("P0008.nc"));
+  EXPECT_LT(forwarded_since(Way::to_client), long_tape("-123456").size()) << "the rest only";
+}
+
+TEST_F(MediaCut, SEAT_004_AFileIsReadOnWhereTheLineWasCut) {
+  lay("P0008.nc", long_tape("-999999"));
+  cut_in_the_midst("8", Way::to_server);
+  EXPECT_THAT(stored("P0008"), HasSubstr("N600G01X+600000Y-123456"));
+  mend_and_wait_for("Gelesen und gespeichert");
+  EXPECT_TRUE(stored("P0008") == long_tape("-999999")) << stored("P0008").substr(0, 100);
+  EXPECT_LT(forwarded_since(Way::to_server), long_tape("-999999").size()) << "the rest only";
+}
+
+TEST_F(MediaCut, SEAT_004_AFileThatWasReplacedMeanwhileIsReadAsItIsNow) {
+  lay("P0008.nc", long_tape("-999999"));
+  cut_in_the_midst("8", Way::to_server);
+  lay("P0008.nc", long_tape("-777777"));
+  mend_and_wait_for("Gelesen und gespeichert");
+  EXPECT_TRUE(stored("P0008") == long_tape("-777777")) << stored("P0008").substr(0, 100);
+  EXPECT_GT(forwarded_since(Way::to_server), long_tape("-777777").size()) << "from its beginning";
+}
+
+TEST_F(MediaCut, SEAT_004_AKilledStationLeavesNothingHalfAndTheNextOneTakesTheFile) {
+  lay("P0008.nc", "old");
+  cut_in_the_midst("4", Way::to_client);
+  anna_.kill_hard();
+  EXPECT_EQ(content("P0008.nc"), "old");
+  EXPECT_THAT(files(), ElementsAre("P0008.nc"));
+  anna_ = sit_down();
+  ASSERT_TRUE(eventually(8s, [&] { return content("P0008.nc") == long_tape("-123456"); }));
+  EXPECT_THAT(files(), ElementsAre("P0008.nc"));
 }
 
 TEST_F(MediaLine, AUTH_007_NoFileTravelsToTheStationThatHasTheMachine) {

@@ -31,7 +31,7 @@ class Media : public testing::Test, public MediaSeat {
 TEST_F(Media, EXT_030_DEC_62_ADisketteTakesAProgramAndGivesItBack) {
   StationProcess anna = sit_down();
   transfer(anna, "4", "7");
-  anna.wait_for("Ausgabe beendet");
+  anna.wait_for("Ausgabe beendet: P0007.nc.");
   EXPECT_EQ(content("P0007.nc"), "P0007\nN001G11F1000\nN002G01X+12000Y-1500\nN003G00Z+5000\n%\n");
   lay("P0007.nc", "P0007\nN001G11F0500\nN002G01X+1\n%\n");
   transfer(anna, "8", "7");
@@ -43,7 +43,7 @@ TEST_F(Media, EXT_030_DEC_62_ADisketteTakesAProgramAndGivesItBack) {
 TEST_F(Media, EXT_032_EXT_033_ATapeHasRowsOfEvenParityAndATwinToRead) {
   StationProcess anna = sit_down();
   transfer(anna, "3", "7");
-  anna.wait_for("Ausgabe beendet");
+  anna.wait_for("Ausgabe beendet: P0007.tap, P0007.txt.");
   const std::string rows = content("P0007.tap");
   ASSERT_GT(rows.size(), 200U);
   EXPECT_EQ(rows.substr(0, 100), std::string(100, '\0')) << "leader";

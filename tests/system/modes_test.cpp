@@ -85,5 +85,18 @@ TEST_F(Modes, MD_002_KEY_082_ChordsReachTheServiceModes) {
   EXPECT_THAT(monitor_row(anna.screen(), 5), HasSubstr("1500")) << "kept in the database's copy";
 }
 
+TEST_F(Modes, ERR_006_ERR_034_TheMemoryTestFindsTheFaultThatTheTeacherSets) {
+  EXPECT_THAT(room_.instructor().run({"ram-fault", "1", "on"}).errors, HasSubstr("niemand angemeldet"));
+  StationProcess anna = room_.seat(1, "anna");
+  room_.instructor().must({"ram-fault", "1", "on"});
+  EXPECT_EQ(room_.instructor().station(1)["ram_fault"], true);
+  anna.expect_ok("hold 50 3+6+9");
+  anna.key("SPEICHER_LOESCHEN");
+  anna.key("SPEICHER_LOESCHEN");
+  anna.wait_for("PAGE 1 RAM DEFEKT");
+  room_.instructor().must({"ram-fault", "1", "off"});
+  EXPECT_EQ(room_.instructor().station(1)["ram_fault"], false);
+}
+
 }  // namespace
 }  // namespace cnclab::harness

@@ -56,6 +56,34 @@ TEST(Recording, ACutOffEndAndExchangedBlocksAreFound) {
   EXPECT_FALSE(decode_recording(bytes.substr(0, kMarkLength) + second + first).has_value());
 }
 
+/// `cnclab-tool verify` names what is damaged (DEC-33); what the tape did not take is no damage.
+TEST(Recording, ItsFaultsAreTheMarkOrEachDamagedBlock_DEC_33) {
+  const std::string bytes = encode_recording({.program = 1, .text = text_of(300)});  // blocks of 128, 128 and 44 bytes
+  const auto with_hits = [&](const std::vector<std::size_t>& places) {
+    std::string damaged = bytes;
+    for (const std::size_t at : places) damaged[at] = static_cast<char>(damaged[at] ^ 1);
+    return recording_faults(damaged);
+  };
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    const RecordingFaults faults = with_hits({at});
+    EXPECT_EQ(faults.is_mark_damaged, at < kMarkLength) << at;
+    const auto block = static_cast<std::uint32_t>((at - kMarkLength) / kRecordingBlockLength);
+    EXPECT_EQ(faults.blocks, at < kMarkLength ? std::vector<std::uint32_t>{} : std::vector{block}) << at;
+  }
+  EXPECT_EQ(with_hits({kMarkLength, bytes.size() - 1}).blocks, (std::vector{0U, 2U}));
+}
+
+TEST(Recording, WhatIsCutOffHasTheFaultsOfItsRest_DEC_33) {
+  std::string bytes = encode_recording({.program = 1, .text = text_of(300)});
+  for (std::size_t length = 0; length <= bytes.size(); ++length) {
+    const RecordingFaults faults = recording_faults(std::string_view(bytes).substr(0, length));
+    EXPECT_FALSE(faults.is_mark_damaged) << length;
+    EXPECT_TRUE(faults.blocks.empty()) << length;
+  }
+  bytes[kMarkLength + 5] ^= 1;
+  EXPECT_EQ(recording_faults(bytes.substr(0, kMarkLength + kRecordingBlockLength + 9)).blocks, (std::vector{0U}));
+}
+
 TEST(Cassette, RecordingsLieWhereTheyWereMade) {
   Cassette cassette;
   EXPECT_TRUE(cassette.record(6000, std::string(480, 'a')));  // one second

@@ -51,6 +51,7 @@ class Console {
 
   // console_machine.cpp
   void status(const Reply& reply) const;
+  void fill_station(v1::StationStatus& out, const std::shared_ptr<Desk>& desk) const;
   void decided(const Reply& reply, const Event& event) const;
   void tools(const Reply& reply, const v1::SetTools& request) const;
   void workpiece(const Reply& reply, const v1::SetWorkpiece& request) const;
@@ -58,6 +59,7 @@ class Console {
                    std::function<void(Lab&, const std::string&)> then) const;
   void input(const Reply& reply, const v1::SetInput& request) const;
   void remote(const Reply& reply, const v1::SetRemote& request) const;
+  void ram_fault(const Reply& reply, const v1::SetRamFault& request) const;
   void machine_data(const Reply& reply, const v1::ChangeMachineData& request) const;
 
   // console_classroom.cpp

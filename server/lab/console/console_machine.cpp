@@ -77,28 +77,30 @@ void Console::status(const Reply& reply) const {
   std::vector<Lab::DeskPtr> desks;
   for (const auto& desk : lab_.seats_.all()) desks.push_back(desk);
   std::ranges::sort(desks, {}, [](const auto& desk) { return desk->station; });
-  for (const auto& desk : desks) {
-    auto& station = *status.add_stations();
-    const auto situation = desk->control.situation();
-    station.set_station(static_cast<std::uint32_t>(desk->station));
-    station.set_user(desk->person.name);
-    station.set_role(desk->person.role);
-    station.set_mode(std::string(panel::name_of(situation.mode)));
-    station.set_running(desk->control.is_running());
-    station.set_connected(desk->is_seated());
-    station.set_program(situation.program);
-    station.set_block(situation.block);
-    station.set_last_key(desk->last_key);
-    if (const int hand = lab_.seats_.hand_of(*desk); hand > 0) station.set_meldung(static_cast<std::uint32_t>(hand));
-    station.set_locked(desk->is_locked);
-    station.set_taken_by(desk->taken_by);
-    station.set_remote(desk->control.is_remote());
-    if (const auto line = lab_.lines_.of(*desk)) station.set_line(line->peer->address());
-    const std::int64_t a_minute_ago_ns = lab_.clock_.monotonic_ns() - kMinute_ns;
-    station.set_errors_last_minute(static_cast<std::uint32_t>(
-        std::ranges::count_if(desk->errors_ns, [&](std::int64_t at_ns) { return at_ns > a_minute_ago_ns; })));
-  }
+  for (const auto& desk : desks) fill_station(*status.add_stations(), desk);
   send(reply, {item});
+}
+
+void Console::fill_station(v1::StationStatus& out, const std::shared_ptr<Desk>& desk) const {
+  const auto situation = desk->control.situation();
+  out.set_station(static_cast<std::uint32_t>(desk->station));
+  out.set_user(desk->person.name);
+  out.set_role(desk->person.role);
+  out.set_mode(std::string(panel::name_of(situation.mode)));
+  out.set_running(desk->control.is_running());
+  out.set_connected(desk->is_seated());
+  out.set_program(situation.program);
+  out.set_block(situation.block);
+  out.set_last_key(desk->last_key);
+  if (const int hand = lab_.seats_.hand_of(*desk); hand > 0) out.set_meldung(static_cast<std::uint32_t>(hand));
+  out.set_locked(desk->is_locked);
+  out.set_taken_by(desk->taken_by);
+  out.set_remote(desk->control.is_remote());
+  out.set_ram_fault(desk->control.has_ram_fault());
+  if (const auto line = lab_.lines_.of(*desk)) out.set_line(line->peer->address());
+  const std::int64_t a_minute_ago_ns = lab_.clock_.monotonic_ns() - kMinute_ns;
+  out.set_errors_last_minute(static_cast<std::uint32_t>(
+      std::ranges::count_if(desk->errors_ns, [&](std::int64_t at_ns) { return at_ns > a_minute_ago_ns; })));
 }
 
 void Console::decided(const Reply& reply, const Event& event) const {
@@ -124,6 +126,14 @@ void Console::remote(const Reply& reply, const v1::SetRemote& request) const {
                       say(reply.tongue, "Plätze haben die Nummern 1 bis 15.", "Stations have the numbers 1 to 15."));
   lab_.lines_.set_remote(static_cast<int>(request.station()), request.on(), reply.visit->person.name);
   send_done(reply);
+}
+
+/// A fault of the memory belongs to the control: it ends with the log-out at the latest.
+void Console::ram_fault(const Reply& reply, const v1::SetRamFault& request) const {
+  const auto desk = desk_at(reply, request.station());
+  if (!desk) return;
+  desk->control.set_ram_fault(request.on());
+  done_at(reply, desk, request.on() ? "ram_fault" : "ram_fault_end");
 }
 
 void Console::machine_data(const Reply& reply, const v1::ChangeMachineData& request) const {

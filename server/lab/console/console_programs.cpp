@@ -166,12 +166,13 @@ void Console::program_send(const Reply& reply, const v1::ProgramSend& request) c
   if (request.tape().size() > kLargestTape)
     return send_error(reply, say(reply.tongue, "Die Datei ist zu groß (höchstens 60000 Zeichen).",
                                  "The file is too large (at most 60000 characters)."));
-  const auto tape =
-      std::make_shared<const language::Tape>(language::read_tape(request.tape(), language::Reading::file));
+  const auto tape = std::make_shared<const language::Tape>(
+      language::read_tape(request.tape(), language::Reading::file, reply.tongue));
   if (!tape->errors.empty()) return send_error(reply, tape_error(tape->errors.front(), reply.tongue));
-  if (tape->programs.empty())
-    return send_error(reply,
-                      say(reply.tongue, "In der Datei steht kein Programm.", "There is no program in the file."));
+  if (tape->programs.empty())  // or none but what belongs to the cycles, as the notice says (DEC-06)
+    return send_error(reply, !tape->notices.empty() ? tape->notices.front()
+                                                    : say(reply.tongue, "In der Datei steht kein Programm.",
+                                                          "There is no program in the file."));
   ask_store(
       reply,
       [request, tape, memory = lab_.configuration_.memory_bytes,

@@ -67,6 +67,7 @@ const Console::Row Console::kRows[] = {
     {R::kRunReplay, Row::with<&Console::run_replay, &R::run_replay>},
     {R::kJournal, Row::with<&Console::journal, &R::journal>},
     {R::kBackup, Row::bare<&Console::backup>},
+    {R::kRamFault, Row::with<&Console::ram_fault, &R::ram_fault>},
 };
 
 const Console::Row* Console::row_of(const R& request) {

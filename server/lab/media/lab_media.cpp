@@ -2,7 +2,7 @@
 // SYS-019).
 //
 //   control ── MediaRequest ──▶ order ── chunks ──▶ station       one order at a time for each desk; a line that breaks
-//   LABOR ──── hardcopy ───────▶  │                               lets it begin anew at the next connection
+//   LABOR ──── hardcopy ───────▶  │                               lets it go on at the next connection
 //                                 └── PDF ──▶ print queue         on a thread that may wait
 //
 // No file travels to or from the station that has the machine: its line is for keys and stops.
@@ -144,9 +144,13 @@ void Lab::watch_media(const DeskPtr& desk, std::int64_t now_ns) {
 void Lab::seat_media(const VisitPtr& visit, const DeskPtr& desk) {
   desk->control.connect_media(visit->has_media);
   desk->control.connect_printer(!configuration_.printer_queue.empty());
-  for (const auto& order : desk->media)
-    if (order->transfer) order->transfer->pause();
+  pause_media(*desk);
   go_on_with_media(desk);
+}
+
+void Lab::pause_media(Desk& desk) {
+  for (const auto& order : desk.media)
+    if (order->transfer) order->transfer->pause();
 }
 
 void Lab::print_screen(const DeskPtr& desk) {

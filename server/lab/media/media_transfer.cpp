@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "shared/digest.hpp"
 #include "shared/frame.hpp"
 #include "shared/media_name.hpp"
 
@@ -84,6 +85,14 @@ std::string_view english(MediaProblem problem) {
   return {};
 }
 
+/// What of the file is with the receiver, and what proves it; nothing where nothing is.
+template <class Request>
+void tell_known(Request& request, std::string_view known) {
+  if (known.empty()) return;
+  request.set_offset(known.size());
+  request.set_digest(sha256(known));
+}
+
 }  // namespace
 
 std::string media_sentence(MediaProblem problem, const std::string& file, language::Tongue tongue) {
@@ -103,21 +112,30 @@ MediaTransfer::Step MediaTransfer::finish(std::expected<std::string, MediaProble
 
 MediaTransfer::Step MediaTransfer::begin(std::uint32_t& numbers) {
   transfer_ = ++numbers;
-  moved_ = 0;
-  received_.clear();
+  is_first_answer_ = true;
+  if (const auto* put = std::get_if<panel::PutFiles>(&request_)) return ask_to_write(put->files[files_done_]);
+  return ask_to_send(std::get<panel::GetFile>(request_));
+}
+
+MediaTransfer::Step MediaTransfer::ask_to_write(const panel::MediaFile& file) {
+  if (!is_media_name(file.name) || file.bytes.empty() || file.bytes.size() > kLargestMediaWritten)
+    return finish(std::unexpected(MediaProblem::refused));
+  sent_ = acknowledged_;
   v1::ServerMessage message;
-  if (const auto* put = std::get_if<panel::PutFiles>(&request_)) {
-    const panel::MediaFile& file = put->files[files_done_];
-    if (!is_media_name(file.name) || file.bytes.empty() || file.bytes.size() > kLargestMediaWritten)
-      return finish(std::unexpected(MediaProblem::refused));
-    message.mutable_put_media()->set_transfer(transfer_);
-    message.mutable_put_media()->set_name(file.name);
-    message.mutable_put_media()->set_size(file.bytes.size());
-  } else {
-    message.mutable_get_media()->set_transfer(transfer_);
-    for (const std::string& name : std::get<panel::GetFile>(request_).names)
-      message.mutable_get_media()->add_names(name);
-  }
+  v1::PutMedia& put = *message.mutable_put_media();
+  put.set_transfer(transfer_);
+  put.set_name(file.name);
+  put.set_size(file.bytes.size());
+  tell_known(put, std::string_view(file.bytes).substr(0, acknowledged_));
+  return {.send = std::move(message)};
+}
+
+MediaTransfer::Step MediaTransfer::ask_to_send(const panel::GetFile& request) const {
+  v1::ServerMessage message;
+  v1::GetMedia& get = *message.mutable_get_media();
+  get.set_transfer(transfer_);
+  for (const std::string& name : request.names) get.add_names(name);
+  tell_known(get, received_);
   return {.send = std::move(message)};
 }
 
@@ -125,10 +143,13 @@ MediaTransfer::Step MediaTransfer::take(const v1::ChunkAck& ack, std::uint32_t& 
   if (!is_under_way() || ack.transfer() != transfer_) return {};
   const auto* put = std::get_if<panel::PutFiles>(&request_);
   if (put == nullptr) return {.is_breach = true};
-  const panel::MediaFile& file = put->files[files_done_];
   if (ack.abort()) return finish(std::unexpected(MediaProblem::refused));
-  if (ack.next_offset() != moved_) return {.is_breach = true};
-  if (moved_ < file.bytes.size()) return send_chunk(file);
+  if (std::exchange(is_first_answer_, false) && ack.next_offset() == 0) sent_ = 0;
+  if (ack.next_offset() != sent_) return {.is_breach = true};
+  acknowledged_ = sent_;
+  const panel::MediaFile& file = put->files[files_done_];
+  if (sent_ < file.bytes.size()) return send_chunk(file);
+  acknowledged_ = 0;
   if (++files_done_ < put->files.size()) return begin(numbers);
   return finish(std::string());
 }
@@ -137,24 +158,24 @@ MediaTransfer::Step MediaTransfer::send_chunk(const panel::MediaFile& file) {
   v1::ServerMessage message;
   v1::Chunk& chunk = *message.mutable_chunk();
   chunk.set_transfer(transfer_);
-  chunk.set_offset(moved_);
-  chunk.set_data(file.bytes.substr(moved_, kLargestChunk));
-  moved_ += chunk.data().size();
-  chunk.set_is_last(moved_ == file.bytes.size());
+  chunk.set_offset(sent_);
+  chunk.set_data(file.bytes.substr(sent_, kLargestChunk));
+  sent_ += chunk.data().size();
+  chunk.set_is_last(sent_ == file.bytes.size());
   return {.send = std::move(message)};
 }
 
 MediaTransfer::Step MediaTransfer::take(const v1::Chunk& chunk) {
   if (!is_under_way() || chunk.transfer() != transfer_) return {};
-  const bool is_in_order = std::holds_alternative<panel::GetFile>(request_) && chunk.offset() == moved_ &&
+  if (std::exchange(is_first_answer_, false) && chunk.offset() == 0) received_.clear();
+  const bool is_in_order = std::holds_alternative<panel::GetFile>(request_) && chunk.offset() == received_.size() &&
                            !chunk.data().empty() && chunk.data().size() <= kLargestChunk &&
-                           moved_ + chunk.data().size() <= kLargestMediaRead;
+                           received_.size() + chunk.data().size() <= kLargestMediaRead;
   if (!is_in_order) return {.is_breach = true};
   received_ += chunk.data();
-  moved_ += chunk.data().size();
   v1::ServerMessage message;
   message.mutable_chunk_ack()->set_transfer(transfer_);
-  message.mutable_chunk_ack()->set_next_offset(moved_);
+  message.mutable_chunk_ack()->set_next_offset(received_.size());
   Step step = chunk.is_last() ? finish(std::move(received_)) : Step{};
   step.send = std::move(message);
   return step;

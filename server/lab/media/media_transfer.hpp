@@ -4,8 +4,9 @@
 //   PutFiles   PutMedia ──▶ ack 0 ──▶ chunk, ack, … last chunk, ack ──▶ the next file
 //   GetFile    GetMedia ──▶ chunk, ack, … last chunk, ack
 //
-// A line that breaks does no harm: `begin` may be called again for another connection, and the file that was under way
-// is asked for from its beginning. A station writes whole files or none.
+// A line that breaks does no harm: `begin` may be called again for another connection. The file that was under way goes
+// on behind the bytes that the receiver has, if the station finds that they are the same; else, or at another station,
+// from 0. A station writes whole files or none.
 #pragma once
 
 #include <cstdint>
@@ -49,7 +50,7 @@ class MediaTransfer {
   /// request   PutFiles with at least one file, or GetFile with at least one name
   explicit MediaTransfer(panel::MediaRequest request) : request_(std::move(request)) {}
 
-  /// Begins, or begins anew with the file that was under way.
+  /// Begins, or goes on with the file that was under way.
   /// numbers   of the connection's transfers; each file counts it up
   [[nodiscard]] Step begin(std::uint32_t& numbers);
   /// Messages of a transfer that is over are passed over.
@@ -58,7 +59,7 @@ class MediaTransfer {
   [[nodiscard]] Step take(const v1::MediaFailed& failed);
   /// For the station: what is under way is broken off.
   [[nodiscard]] v1::ServerMessage cancel();
-  /// The connection is gone.
+  /// The connection is gone: `begin` at the next one.
   void pause() { transfer_ = 0; }
 
   [[nodiscard]] bool is_under_way() const { return transfer_ != 0; }
@@ -66,14 +67,18 @@ class MediaTransfer {
   [[nodiscard]] const std::string& file() const;
 
  private:
+  [[nodiscard]] Step ask_to_write(const panel::MediaFile& file);
+  [[nodiscard]] Step ask_to_send(const panel::GetFile& get) const;
   [[nodiscard]] Step send_chunk(const panel::MediaFile& file);
   [[nodiscard]] Step finish(std::expected<std::string, MediaProblem> result);
 
   panel::MediaRequest request_;
-  std::uint32_t transfer_ = 0;  ///< 0: none is under way
-  std::size_t files_done_ = 0;  ///< PutFiles
-  std::uint64_t moved_ = 0;     ///< bytes of the file that were sent, or received
-  std::string received_;        ///< GetFile
+  std::uint32_t transfer_ = 0;      ///< 0: none is under way
+  bool is_first_answer_ = false;    ///< what comes next says where the file goes on
+  std::size_t files_done_ = 0;      ///< PutFiles
+  std::uint64_t sent_ = 0;          ///< PutFiles: bytes of the file
+  std::uint64_t acknowledged_ = 0;  ///< PutFiles: of those, what the station has; outlives a cut
+  std::string received_;            ///< GetFile: what has come; outlives a cut
 };
 
 }  // namespace cnclab::lab

@@ -4,35 +4,13 @@
 #include <fmt/format.h>
 
 #include "language/tape.hpp"
+#include "panel/modal_json.hpp"
 
 namespace cnclab::lab {
 
 namespace {
 
 using Json = nlohmann::json;
-
-Json modal_json(const program::ModalState& state) {
-  const auto& [plane, radius, length, tool_radius, tool_length, scale_on, scale, dimension, feed, rpm, tool, m, spindle,
-               coolant, hidden, sub_hidden, potentiometer_off, test_run] = state;
-  return {{"plane", static_cast<int>(plane)},
-          {"radius", static_cast<int>(radius)},
-          {"length", length},
-          {"tool_radius", tool_radius.value},
-          {"tool_length", tool_length.value},
-          {"scale_on", scale_on},
-          {"scale", scale},
-          {"dimension", static_cast<int>(dimension)},
-          {"f", feed},
-          {"s", rpm},
-          {"t", tool},
-          {"m", m},
-          {"spindle", static_cast<int>(spindle)},
-          {"coolant", coolant},
-          {"m21", hidden},
-          {"m22", sub_hidden},
-          {"m23", potentiometer_off},
-          {"m24", test_run}};
-}
 
 /// A database may hold anything: a number outside its range is an error, not a value that no switch knows.
 template <class Number>
@@ -42,45 +20,23 @@ Number number_in(const Json& json, const char* key, std::int64_t least, std::int
   return static_cast<Number>(value);
 }
 
-constexpr std::int64_t kLargestRate = 99'999;  ///< of F and S
-constexpr std::int64_t kLargestCode = 99;      ///< of T and M
-
-program::ModalState modal_of(const Json& json) {
-  program::ModalState state;
-  auto& [plane, radius, length, tool_radius, tool_length, scale_on, scale, dimension, feed, rpm, tool, m, spindle,
-         coolant, hidden, sub_hidden, potentiometer_off, test_run] = state;
-  plane = number_in<geometry::Plane>(json, "plane", 0, 2);
-  radius = number_in<program::RadiusCompensation>(json, "radius", 0, 4);
-  json.at("length").get_to(length);
-  tool_radius.value = number_in<std::int64_t>(json, "tool_radius", 0, language::kLargestWord_um);
-  tool_length.value =
-      number_in<std::int64_t>(json, "tool_length", -language::kLargestWord_um, language::kLargestWord_um);
-  json.at("scale_on").get_to(scale_on);
-  json.at("scale").get_to(scale);
-  dimension = number_in<program::Dimension>(json, "dimension", 0, 1);
-  feed = number_in<int>(json, "f", 0, kLargestRate);
-  rpm = number_in<int>(json, "s", 0, kLargestRate);
-  tool = number_in<int>(json, "t", 0, kLargestCode);
-  m = number_in<int>(json, "m", 0, kLargestCode);
-  spindle = number_in<geometry::SpindleTurn>(json, "spindle", 0, 2);
-  json.at("coolant").get_to(coolant);
-  json.at("m21").get_to(hidden);
-  json.at("m22").get_to(sub_hidden);
-  json.at("m23").get_to(potentiometer_off);
-  json.at("m24").get_to(test_run);
-  return state;
+/// The same for what is read by putting right: written again it has to be what stood there.
+void expect_same(const Json& json, const Json& read) {
+  for (const auto& [key, value] : read.items())
+    if (json.at(key) != value) throw std::runtime_error(fmt::format("{}: {}", key, json.at(key).dump()));
+  for (const auto& [key, value] : json.items())
+    if (!read.contains(key)) throw std::runtime_error(fmt::format("{}: {}", key, value.dump()));
 }
 
-Json parameters_json(const program::Parameters& parameters) {
-  Json json = Json::object();
-  for (std::size_t i = 0; i < parameters.size(); ++i)
-    if (parameters[i] != 0) json[std::to_string(i)] = parameters[i];
-  return json;
+program::ModalState modal_of(const Json& json) {
+  const program::ModalState modal = panel::modal_of(json);
+  expect_same(json, panel::modal_json(modal));
+  return modal;
 }
 
 program::Parameters parameters_of(const Json& json) {
-  program::Parameters parameters{};
-  for (const auto& [number, value] : json.items()) parameters.at(std::stoul(number)) = value;
+  const program::Parameters parameters = panel::parameters_of(json);
+  expect_same(json, panel::parameters_json(parameters));
   return parameters;
 }
 
@@ -90,8 +46,8 @@ Json start_json(const program::Start& start) {
           {"block", block},
           {"position", {position.x, position.y, position.z, position.u}},
           {"compensation", compensation},
-          {"modal", modal_json(modal)},
-          {"parameters", parameters_json(parameters)}};
+          {"modal", panel::modal_json(modal)},
+          {"parameters", panel::parameters_json(parameters)}};
 }
 
 /// The line of HANDEINGABE runs under a number that no stored program can have.

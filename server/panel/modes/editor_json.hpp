@@ -1,21 +1,11 @@
-// The half-filled entry line as JSON, and the readers that every part of the state uses. Private to this folder.
+// The half-filled entry line and its digits as JSON. Private to this folder.
 #pragma once
 
-#include <cstdint>
 #include <nlohmann/json.hpp>
-#include <optional>
 
 #include "panel/modes/editor_mode.hpp"
 
 namespace cnclab::panel {
-
-/// The member, or nullptr where `json` is no object or has none of that name.
-[[nodiscard]] const nlohmann::json* member_of(const nlohmann::json& json, const char* name);
-/// An integer within its limits; nothing for everything else.
-[[nodiscard]] std::optional<std::int64_t> integer_of(const nlohmann::json& json, std::int64_t least, std::int64_t most);
-[[nodiscard]] std::int64_t integer_in(const nlohmann::json& json, const char* name, std::int64_t least,
-                                      std::int64_t most, std::int64_t otherwise);
-[[nodiscard]] bool flag_in(const nlohmann::json& json, const char* name);
 
 [[nodiscard]] nlohmann::json field_json(const DigitField& field);
 void read_field(const nlohmann::json& json, const char* name, DigitField& field);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "panel/modes/line_keys.hpp"
+#include "panel/screen/names.hpp"
 #include "program/rom_programs.hpp"
 
 namespace cnclab::panel {

@@ -109,6 +109,15 @@ void print(ExternalDataMode& mode, ControlState& state, std::vector<language::Pr
                  .file = std::move(file)});
 }
 
+/// What is printed stays in the lab where the station takes no files: without a folder, or while it has the machine.
+void order_files(ExternalDataMode& mode, ControlState& state, PutFiles put) {
+  const bool stays_here = state.has_media && !state.connection.is_lab_machine;
+  mode.files.clear();
+  for (const MediaFile& file : put.files)
+    if (stays_here) mode.files += (mode.files.empty() ? "" : ", ") + file.name;
+  state.media = std::move(put);
+}
+
 void write(ExternalDataMode& mode, ControlState& state) {
   std::vector<language::Program> programs = tools_first(leaving(mode, state));
   if (programs.empty()) return;
@@ -122,13 +131,13 @@ void write(ExternalDataMode& mode, ControlState& state) {
                                           .program = number.value_or(0),
                                           .text = transfer::disk_text(programs, machine_data)},
                                          time_of(state));
-  if (mode.device == Device::disk_out) {
-    state.media = PutFiles{{{media_name(MediaKind::diskette, number), transfer::disk_text(programs, machine_data)}}};
-    return;
-  }
+  if (mode.device == Device::disk_out)
+    return order_files(mode, state,
+                       {{{media_name(MediaKind::diskette, number), transfer::disk_text(programs, machine_data)}}});
   const std::string rows = transfer::punch(transfer::line_text(programs));
-  state.media = PutFiles{{{media_name(MediaKind::punched_tape, number), rows},
-                          {media_name(MediaKind::tape_text, number), transfer::twin_text(rows)}}};
+  order_files(mode, state,
+              {{{media_name(MediaKind::punched_tape, number), rows},
+                {media_name(MediaKind::tape_text, number), transfer::twin_text(rows)}}});
 }
 
 void read(ExternalDataMode& mode, ControlState& state) {
@@ -250,7 +259,7 @@ void follow(ExternalDataMode& mode, ControlState& state) {
   if (mode.print) {
     if (auto files = mode.print->result()) {
       mode.print.reset();
-      state.media = std::move(*files);
+      order_files(mode, state, std::move(*files));
     }
     return;
   }
@@ -265,7 +274,9 @@ void media_answered(ExternalDataMode& mode, ControlState& state,
     end_transfer(mode, {});
     return state.complain(ErrorCode::transfer_wrong, answer.error());
   }
-  if (is_output(*mode.device)) return end_transfer(mode, std::string(text(Text::said_written, state.tongue())));
+  if (is_output(*mode.device))
+    return end_transfer(mode, mode.files.empty() ? std::string(text(Text::said_written, state.tongue()))
+                                                 : text(Text::said_files_written, state.tongue(), {mode.files}));
   const bool is_disk = mode.device == Device::disk_in;
   const std::string received = is_disk ? *answer : transfer::read_punched(*answer);
   const bool is_whole = is_disk && mode.takes_all;

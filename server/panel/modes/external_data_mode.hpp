@@ -49,7 +49,8 @@ struct ExternalDataMode {
   bool is_at_block = false;  ///< the marker stands on the block's number
   bool asks_zero = false;    ///< START once more: the zero is right (DEC-27)
   std::optional<Armed> armed;
-  std::string done;  ///< what the last transfer has brought, for row 18
+  std::string files;  ///< names of those that are being written at the station, for row 18
+  std::string done;   ///< what the last transfer has brought, for row 18
 };
 
 [[nodiscard]] ExternalDataMode open_external_data(const ControlState& state);

@@ -1,6 +1,7 @@
 // Writes and reads the modes that move by hand.
 #include "panel/modes/hand_json.hpp"
 
+#include "panel/json_readers.hpp"
 #include "panel/modes/editor_json.hpp"
 
 namespace cnclab::panel {

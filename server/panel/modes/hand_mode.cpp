@@ -7,6 +7,7 @@
 
 #include "language/screen_form.hpp"
 #include "panel/screen/motion_screen.hpp"
+#include "panel/screen/names.hpp"
 
 namespace cnclab::panel {
 

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 
+#include "panel/screen/names.hpp"
+
 namespace cnclab::panel {
 
 namespace {

@@ -2,6 +2,7 @@
 #include "panel/modes/menu_mode.hpp"
 
 #include "panel/key_table.hpp"
+#include "panel/screen/names.hpp"
 
 namespace cnclab::panel {
 

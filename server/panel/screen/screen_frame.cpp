@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <vector>
 
+#include "panel/screen/names.hpp"
+
 namespace cnclab::panel {
 
 namespace {

@@ -306,6 +306,7 @@ constexpr std::array<TextRow, kTexts> kTable{{
     {Text::said_transfer_stopped, "Übertragung abgebrochen, nichts wurde übernommen. Gerät wählen.",
      "Transfer aborted, nothing was taken over. Choose a device."},
     {Text::said_written, "Ausgabe beendet. Gerät wählen.", "Output done. Choose a device."},
+    {Text::said_files_written, "Ausgabe beendet: {}. Gerät wählen.", "Output done: {}. Choose a device."},
     {Text::said_leader_short, "Vorspann zu kurz: die Aufnahme liegt auf dem durchsichtigen Band und ist verloren.",
      "Leader too short: the recording lies on the transparent tape and is lost."},
     {Text::said_recording_damaged, "Die Aufnahme ist beschädigt: nichts wurde übernommen. Eine andere lesen.",
@@ -354,69 +355,6 @@ constexpr bool is_in_order() {
 }
 static_assert(is_in_order(), "the rows stand in the order of Text");
 
-struct ModeNames {
-  std::string_view german, english;
-};
-
-constexpr std::array<ModeNames, kModes> kTitles{{
-    {"", ""},
-    {"HANDBETRIEB", "MANUAL OPERATION"},
-    {"HANDEINGABE", "MANUAL INPUT"},
-    {"TEACH IN", "TEACH IN"},
-    {"AUTOMAT", "AUTOMATIC"},
-    {"EXTERNE DATEN", "EXTERNAL DATA"},
-    {"GRAFIK", "GRAPHICS"},
-    {"SPEICHER LOESCHEN", "ERASE MEMORY"},
-    {"EINGABEMODUS", "PROGRAM ENTRY"},
-    {"MASCHINENDATEN", "MACHINE DATA"},
-    {"SPEICHERTEST", "MEMORY TEST"},
-}};
-
-constexpr std::array<std::string_view, kKeys + 1> kLabels{"",
-                                                          "HAND",
-                                                          "START",
-                                                          "STOP",
-                                                          "+X",
-                                                          "-X",
-                                                          "+Y",
-                                                          "-Y",
-                                                          "+Z",
-                                                          "-Z",
-                                                          "ISTWERT",
-                                                          "FRÄSER",
-                                                          "KÜHLMITTEL",
-                                                          "AUTOMAT",
-                                                          "GRAFIK",
-                                                          "MENU",
-                                                          "EINZELSATZ",
-                                                          "REFERENZ",
-                                                          "EXTERNE DATEN",
-                                                          "TEACH IN",
-                                                          "SATZ SUCHEN",
-                                                          "SPEICHER LÖSCHEN",
-                                                          "EINGABE",
-                                                          "HANDEINGABE",
-                                                          "SATZ LÖSCHEN",
-                                                          "0",
-                                                          "1",
-                                                          "2",
-                                                          "3",
-                                                          "4",
-                                                          "5",
-                                                          "6",
-                                                          "7",
-                                                          "8",
-                                                          "9",
-                                                          ".",
-                                                          "+/-",
-                                                          "↓",
-                                                          "C",
-                                                          "→",
-                                                          "RESET",
-                                                          "MELDUNG",
-                                                          "MASCHINE HALT",
-                                                          "LABOR"};
-
 }  // namespace
 
 const std::array<TextRow, kTexts>& text_table() { return kTable; }
@@ -436,20 +374,6 @@ std::string text(Text id, language::Tongue tongue, std::initializer_list<std::st
     rest.remove_prefix(place + 2);
   }
   return filled.append(rest);
-}
-
-std::string_view title_of(Mode mode, language::Tongue tongue) {
-  const ModeNames& names = kTitles[static_cast<std::size_t>(mode)];
-  return tongue == language::Tongue::german ? names.german : names.english;
-}
-
-std::string_view name_of(Mode mode) {
-  return mode == Mode::menu ? std::string_view("MENU") : kTitles[static_cast<std::size_t>(mode)].german;
-}
-
-std::string_view label_of(Key key) {
-  const auto index = static_cast<std::size_t>(key);
-  return index < kLabels.size() ? kLabels[index] : std::string_view();
 }
 
 }  // namespace cnclab::panel

@@ -233,6 +233,7 @@ enum class Text : std::uint16_t {
   said_not_fitted,
   said_transfer_stopped,
   said_written,
+  said_files_written,
   said_leader_short,
   said_recording_damaged,
   said_tape_end,
@@ -268,11 +269,5 @@ struct TextRow {
 [[nodiscard]] std::string_view text(Text id, language::Tongue tongue);
 /// The text with each "{}" replaced by the next value; surplus values are left out.
 [[nodiscard]] std::string text(Text id, language::Tongue tongue, std::initializer_list<std::string_view> values);
-
-/// The title on the monitor: "AUTOMAT", "EINGABEMODUS", …; empty for the menu.
-[[nodiscard]] std::string_view title_of(Mode mode, language::Tongue tongue);
-
-/// The label of the key on the original keyboard (D-08): "SPEICHER LÖSCHEN", "→", "C", "+/-".
-[[nodiscard]] std::string_view label_of(Key key);
 
 }  // namespace cnclab::panel

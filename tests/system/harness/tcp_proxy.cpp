@@ -13,6 +13,7 @@
 #include <boost/asio/use_awaitable.hpp>
 #include <boost/asio/write.hpp>
 #include <chrono>
+#include <cstdint>
 #include <exception>
 #include <list>
 #include <memory>
@@ -25,7 +26,7 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using boost::system::error_code;
 
-enum class Direction : std::uint8_t { to_server, to_client };
+constexpr std::uint64_t kNever = UINT64_MAX;
 
 /// Both ends of one connection.
 struct Line {
@@ -46,6 +47,8 @@ void must_not_throw(const std::exception_ptr& error) {
 }  // namespace
 
 struct TcpProxy::Impl {
+  using Direction = TcpProxy::Direction;
+
   explicit Impl(std::uint16_t target_port)
       : target(asio::ip::address_v4::loopback(), target_port),
         acceptor(context, tcp::endpoint(asio::ip::address_v4::loopback(), 0)),
@@ -58,10 +61,14 @@ struct TcpProxy::Impl {
   asio::steady_timer gate;  ///< waited for while a direction stands still; cancelled at every change
   std::uint16_t port;
   // Only the proxy's thread touches these.
-  bool refuses = false, holds_requests = false, holds_answers = false;
+  bool holds_requests = false, holds_answers = false;
   std::uint32_t bytes_per_s = 0;
+  std::array<std::uint64_t, 2> cuts_at{kNever, kNever};  ///< `forwarded` of each direction
   std::list<std::weak_ptr<Line>> lines;
+  // Anybody reads these.
+  std::atomic<bool> refuses = false;
   std::atomic<int> accepted = 0;
+  std::array<std::atomic<std::uint64_t>, 2> forwarded{};  ///< bytes in each direction
   std::thread thread;
 
   [[nodiscard]] bool holds(Direction direction) const {
@@ -106,8 +113,22 @@ struct TcpProxy::Impl {
       const auto [write_error, written] =
           co_await asio::async_write(to, asio::buffer(bytes.data(), count), asio::as_tuple(asio::use_awaitable));
       if (write_error) break;
+      count_forwarded(direction, written);
     }
     line->end();
+  }
+
+  void count_forwarded(Direction direction, std::size_t bytes) {
+    const auto way = static_cast<std::size_t>(direction);
+    forwarded[way] += bytes;
+    if (forwarded[way] < cuts_at[way]) return;
+    cuts_at[way] = kNever;
+    cut();
+  }
+
+  void cut() {
+    end_lines();
+    refuses = true;
   }
 
   asio::awaitable<void> pass_gate(Direction direction) {
@@ -157,11 +178,15 @@ std::uint16_t TcpProxy::port() const { return impl_->port; }
 std::string TcpProxy::address() const { return "127.0.0.1:" + std::to_string(port()); }
 
 void TcpProxy::cut() {
-  impl_->apply([this] {
-    impl_->refuses = true;
-    impl_->end_lines();
-  });
+  impl_->apply([this] { impl_->cut(); });
 }
+
+void TcpProxy::cut_after(Direction direction, std::uint64_t bytes) {
+  const auto way = static_cast<std::size_t>(direction);
+  impl_->apply([this, way, bytes] { impl_->cuts_at[way] = impl_->forwarded[way] + bytes; });
+}
+
+bool TcpProxy::is_cut() const { return impl_->refuses; }
 
 void TcpProxy::stall() {
   impl_->apply([this] { impl_->holds_requests = impl_->holds_answers = true; });
@@ -177,11 +202,16 @@ void TcpProxy::limit(std::uint32_t bytes_per_s) {
 
 void TcpProxy::mend() {
   impl_->apply([this] {
-    impl_->refuses = impl_->holds_requests = impl_->holds_answers = false;
+    impl_->refuses = false;
+    impl_->holds_requests = impl_->holds_answers = false;
     impl_->bytes_per_s = 0;
   });
 }
 
 int TcpProxy::accepted() const { return impl_->accepted; }
+
+std::uint64_t TcpProxy::forwarded(Direction direction) const {
+  return impl_->forwarded[static_cast<std::size_t>(direction)];
+}
 
 }  // namespace cnclab::harness

@@ -19,8 +19,13 @@ class TcpProxy {
   [[nodiscard]] std::uint16_t port() const;
   [[nodiscard]] std::string address() const;  ///< "127.0.0.1:PORT"
 
+  enum class Direction : std::uint8_t { to_server, to_client };
+
   /// Ends all connections and refuses new ones, until `mend`.
   void cut();
+  /// As `cut`, by itself in the midst of what travels: once `bytes` more have been forwarded in that direction.
+  void cut_after(Direction direction, std::uint64_t bytes);
+  [[nodiscard]] bool is_cut() const;
   /// Keeps the connections but forwards nothing: silence, as behind a pulled cable; until `mend`.
   void stall();
   /// As `stall`, but only from the server to the client: the client's messages still arrive.
@@ -32,6 +37,8 @@ class TcpProxy {
 
   /// Connections that were accepted since the start.
   [[nodiscard]] int accepted() const;
+  /// Bytes that were forwarded in that direction since the start, TLS and all.
+  [[nodiscard]] std::uint64_t forwarded(Direction direction) const;
 
  private:
   struct Impl;
