@@ -140,6 +140,7 @@ class Lab {
 
   // lab_password.cpp
   void change_password(const VisitPtr& visit, const v1::ChangePassword& change);
+  void refuse_same_password(const VisitPtr& visit) const;
   void change_expired_password(const VisitPtr& visit, const std::string& wish);
   void change_own_password(const VisitPtr& visit, const v1::ChangePassword& change);
   void keep_password(const VisitPtr& visit, const std::string& wish, std::function<void()> kept);

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "station/language.hpp"
+
 namespace cnclab::instructor {
 
 inline constexpr int kRefused = 1;  ///< the server refused the command, or its answer could not be kept
@@ -14,5 +16,10 @@ struct Failure {
   int exit_code = kRefused;
   std::string text;
 };
+
+/// A sentence of this program's own, in the language of the locale: nobody may have logged in.
+[[nodiscard]] inline std::string own_words(const station::Text& text) {
+  return std::string(text.in(station::language_of_locale()));
+}
 
 }  // namespace cnclab::instructor

@@ -61,12 +61,12 @@ std::expected<std::string, Failure> password_in(const std::filesystem::path& fil
   std::ifstream stream(file);
   std::string line;
   if (!std::getline(stream, line) || line.empty()) {
-    return std::unexpected(Failure{kUsage, file.string() + ": no password in the first line of the file"});
+    return std::unexpected(Failure{kUsage, file.string() + own_words({": kein Passwort in der ersten Zeile",
+                                                                      ": no password in the first line of the file"})});
   }
   if (line.ends_with('\r')) line.pop_back();
   if (station::line_not_utf8(line)) {
-    const auto why = station::kNotUtf8.in(station::language_of_locale());
-    return std::unexpected(Failure{kUsage, file.string() + ":1: " + std::string(why)});
+    return std::unexpected(Failure{kUsage, file.string() + ":1: " + own_words(station::kNotUtf8)});
   }
   return line;
 }
@@ -89,7 +89,7 @@ std::optional<std::string> ask_secret(const std::string& question) {
   std::fseek(terminal.get(), 0, SEEK_CUR);
   write(terminal.get(), "\n");
   if (!secret || !station::line_not_utf8(*secret)) return secret;
-  write(terminal.get(), std::string(station::kNotUtf8Typed.in(station::language_of_locale())) + "\n");
+  write(terminal.get(), own_words(station::kNotUtf8Typed) + "\n");
   return std::nullopt;
 }
 

@@ -130,6 +130,13 @@ TEST_F(ConsoleInTerminal, INS_005_every_command_can_be_typed_and_its_answer_read
   terminal.type("q");
   terminal.wait_gone("\"role\"");
   const TemporaryFolder folder;
+  std::string tape = "P0007\n";
+  for (int block = 1; block <= 300; ++block)
+    tape += "N" + std::to_string(1000 + block).substr(1) + "G01X+1000Y-1000\n";  // longer than one piece
+  terminal.type(":program send " + folder.write("tape", tape).string() + " berta\r");
+  EXPECT_TRUE(eventually(kLimit, [&] {
+    return room_.instructor().run({"program", "show", "berta", "P0007"}).output == tape + "%\n";
+  })) << terminal.text();
   const auto copy = folder.path() / "copy.db";
   terminal.type(":backup " + copy.string() + "\r");
   EXPECT_TRUE(eventually(kLimit, [&] { return std::filesystem::exists(copy); })) << terminal.text();

@@ -52,7 +52,7 @@ TEST(FirstLogin, SEC_002_passwd_answers_the_forced_change_and_the_old_password_i
   EXPECT_EQ(Instructor(lab.options).run({"status"}).exit_code, 1) << "the one-time password";
   options.password_file = options.new_password_file;
   options.new_password_file.clear();
-  EXPECT_EQ(Instructor(options).run({"status"}).exit_code, 1);
+  EXPECT_EQ(Instructor(options).run({"status"}).exit_code, 0);
 }
 
 TEST(FirstLogin, SEC_002_a_weak_new_password_is_refused_and_the_old_one_stays) {
@@ -61,7 +61,20 @@ TEST(FirstLogin, SEC_002_a_weak_new_password_is_refused_and_the_old_one_stays) {
   options.new_password_file = lab.passwords.set("weak", "kurz");
   EXPECT_EQ(Instructor(options).run({"passwd"}).exit_code, 1);
   options.new_password_file = lab.passwords.file_of("lehrer");
-  EXPECT_EQ(Instructor(options).run({"passwd"}).exit_code, 1);
+  EXPECT_EQ(Instructor(options).run({"passwd"}).exit_code, 0);
+}
+
+TEST(FirstLogin, SEC_002_a_forced_change_to_the_same_password_is_refused) {
+  Classroom room;
+  const auto file = room.passwords().file_of("anna");
+  room.instructor().must({"student", "add", "anna", "--password-file", file.string(), "--must-change"});
+  StationOptions options = room.station_options(1, "anna");
+  options.password_file = file;
+  options.new_password_file = file;
+  EXPECT_EQ(StationProcess(options).wait(kEndLimit), 4);
+  options.new_password_file = room.passwords().set("anna.new", "ein anderes Passwort");
+  StationProcess anna(options);
+  anna.wait_for("CNC 3300");
 }
 
 TEST(FirstLogin, SEC_002_a_student_without_a_given_password_must_change_the_printed_one) {
