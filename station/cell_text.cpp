@@ -80,15 +80,17 @@ bool fills_one_column(char32_t code) {
   return is_latin_greek_cyrillic || is_punctuation_or_sign || code == U'⌀';
 }
 
-// A picture's dots (GRAFIK) by how many of the eight are set (DEC-37).
+// A picture's dots (GRAFIK) by how many of the eight are set (DEC-37). A shade sets four at most, so that a path across
+// it stands out.
 char braille_likeness(char32_t code) {
-  constexpr std::string_view kDensity = " ..:::###";
+  constexpr std::string_view kDensity = " ..::####";
   return kDensity[static_cast<std::size_t>(std::popcount(static_cast<std::uint32_t>(code - 0x2800)))];
 }
 
+bool is_braille(char32_t code) { return code >= 0x2800 && code < 0x2900; }
+
 char32_t ascii_likeness(char32_t code) {
   if (code < 0x7F) return code;
-  if (code >= 0x2800 && code < 0x2900) return static_cast<char32_t>(braille_likeness(code));
   const auto* const found = std::ranges::find(kLikenesses, code, [](const auto& likeness) { return likeness.first; });
   return found == kLikenesses.end() ? U'?' : static_cast<char32_t>(found->second);
 }
@@ -125,9 +127,10 @@ Screen with_wide_arrows(Screen screen) {
   return screen;
 }
 
-char32_t shown_code(char32_t code, bool is_ascii) {
+char32_t shown_code(char32_t code, Glyphs glyphs) {
   if (is_control(code)) return U'?';
-  if (is_ascii) return ascii_likeness(code);
+  if (is_braille(code) && glyphs != Glyphs::all) return static_cast<char32_t>(braille_likeness(code));
+  if (glyphs == Glyphs::ascii) return ascii_likeness(code);
   return fills_one_column(code) ? code : U'?';
 }
 

@@ -1,6 +1,7 @@
 // What a cell looks like on this terminal: plain ASCII where it has no Unicode (DEC-01), never a control character.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -8,8 +9,15 @@
 
 namespace cnclab::station {
 
+/// What a terminal can show.
+enum class Glyphs : std::uint8_t {
+  all,
+  no_braille,  ///< a console's font of 512 signs: frames and umlauts, but not the dots of GRAFIK
+  ascii,
+};
+
 /// One code point that fills exactly one column: the same, or its ASCII likeness.
-[[nodiscard]] char32_t shown_code(char32_t code, bool is_ascii);
+[[nodiscard]] char32_t shown_code(char32_t code, Glyphs glyphs);
 
 /// The screen with every arrow `→` as `->` (DEC-01). The text behind an arrow moves right by one column up to where two
 /// columns are blank, or the field ends; an arrow without that room stays, to become `>`.

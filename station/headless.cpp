@@ -26,7 +26,8 @@ std::string screen_reply(const Screen& stands, bool is_ascii) {
   std::string reply;
   for (int row = 0; row < Screen::kRows; ++row) {
     reply += '|';
-    for (const Cell& cell : screen.row(row)) reply += to_utf8(shown_code(cell.code, is_ascii));
+    for (const Cell& cell : screen.row(row))
+      reply += to_utf8(shown_code(cell.code, is_ascii ? Glyphs::ascii : Glyphs::all));
     reply += "|\n";
   }
   return reply + "end\n";

@@ -12,7 +12,6 @@
 #include <cstdio>
 #include <string>
 
-#include "station/cell_text.hpp"
 #include "station/curses_attribute.hpp"
 
 namespace cnclab::station {
@@ -96,7 +95,7 @@ std::expected<std::unique_ptr<Terminal>, Ending> Terminal::open(bool is_ascii) {
                     "No terminal: start the station in a terminal, or with --headless."});
   }
   const bool has_utf8 = std::string_view(nl_langinfo(CODESET)) == "UTF-8";
-  std::unique_ptr<Terminal> terminal(new Terminal(is_ascii || !has_utf8));
+  std::unique_ptr<Terminal> terminal(new Terminal(is_ascii || !has_utf8 ? Glyphs::ascii : Glyphs::all));
   if (terminal->handle_->screen == nullptr) {
     return refused({"Dieses Terminal ist unbekannt: TERM prüfen, z. B. TERM=xterm-256color.",
                     "This terminal is unknown: check TERM, e.g. TERM=xterm-256color."});
@@ -105,12 +104,14 @@ std::expected<std::unique_ptr<Terminal>, Ending> Terminal::open(bool is_ascii) {
   return terminal;
 }
 
-Terminal::Terminal(bool is_ascii) : handle_(std::make_unique<Handle>()), is_ascii_(is_ascii) {
+Terminal::Terminal(Glyphs glyphs) : handle_(std::make_unique<Handle>()), glyphs_(glyphs) {
   handle_->screen = ::newterm(nullptr, stdout, stdin);
 }
 
 void Terminal::set_up() {
   ::set_term(handle_->screen);
+  const bool is_linux_console = std::string_view(::termname()).find("linux") != std::string_view::npos;
+  if (is_linux_console && glyphs_ == Glyphs::all) glyphs_ = Glyphs::no_braille;
   ::set_escdelay(kEscapeDelay_ms);
   ::raw();
   ::noecho();
@@ -171,7 +172,7 @@ bool Terminal::is_hung_up() const {
 void Terminal::clear() { ::werase(stdscr); }
 
 void Terminal::draw(const Screen& stands) {
-  const Screen screen = is_ascii_ ? with_wide_arrows(stands) : stands;
+  const Screen screen = glyphs_ == Glyphs::ascii ? with_wide_arrows(stands) : stands;
   std::string text;
   for (int row = 0; row < Screen::kRows; ++row) {
     for (int column = 0, start = 0; column < Screen::kColumns; ++column) {
@@ -188,10 +189,10 @@ void Terminal::draw(const Screen& stands) {
 
 void Terminal::write(int row, int column, std::string_view utf8, Attribute attribute, Colour colour) {
   std::u32string codes = from_utf8(utf8);
-  if (is_ascii_)  // as `with_wide_arrows`, for a key's cap
+  if (glyphs_ == Glyphs::ascii)  // as `with_wide_arrows`, for a key's cap
     for (auto at = codes.find(U"→ "); at != std::u32string::npos; at = codes.find(U"→ ")) codes.replace(at, 2, U"->");
   std::wstring text;
-  for (const char32_t code : codes) text += static_cast<wchar_t>(shown_code(code, is_ascii_));
+  for (const char32_t code : codes) text += static_cast<wchar_t>(shown_code(code, glyphs_));
   const auto pair = static_cast<short>(has_colour_ ? static_cast<int>(colour) : 0);
   ::wattr_set(stdscr, curses_attribute(attribute), pair, nullptr);
   ::mvwaddnwstr(stdscr, row, column, text.c_str(), static_cast<int>(text.size()));

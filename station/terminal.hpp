@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "shared/screen.hpp"
+#include "station/cell_text.hpp"
 #include "station/keymap.hpp"
 #include "station/login.hpp"
 
@@ -24,7 +25,7 @@ enum class Colour : std::uint8_t { standard, green, red, yellow };
 /// Ctrl-S and Ctrl-Z are keys like others.
 class Terminal {
  public:
-  /// is_ascii  also chosen by a locale without UTF-8
+  /// is_ascii  also chosen by a locale without UTF-8; the linux console gets everything but braille
   /// errors    usage: stdin or stdout is no terminal, or TERM is unknown
   [[nodiscard]] static std::expected<std::unique_ptr<Terminal>, Ending> open(bool is_ascii);
   Terminal(const Terminal&) = delete;
@@ -50,12 +51,13 @@ class Terminal {
   void beep();
 
  private:
-  explicit Terminal(bool is_ascii);
+  explicit Terminal(Glyphs glyphs);
   void set_up();
 
   struct Handle;
   std::unique_ptr<Handle> handle_;
-  bool is_ascii_, has_colour_ = false;
+  Glyphs glyphs_;
+  bool has_colour_ = false;
 };
 
 }  // namespace cnclab::station

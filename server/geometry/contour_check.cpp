@@ -4,10 +4,20 @@
 //      ═════════════════════════════          ─────────────────────────────▶
 //                 ▲ found                 found >= R - 1 µm, or the way is reported
 //      ───────────▼─────────────────▶
+//
+// Entry and exit are ways like others, except that what stands below them is not cut:
+//
+//      entry ───╲   looked at from where it is no higher than the wall
+//                ╲▼──────────
+//      wall ══════════════
 #include "geometry/contour_check.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
+#include <tuple>
 #include <type_traits>
+#include <utility>
 
 #include "geometry/offset_element.hpp"
 
@@ -19,12 +29,35 @@ namespace {
 constexpr double kTolerance_mm = 0.001;
 /// So many elements at either end may be run-in or run-out: a line and an arc.
 constexpr std::size_t kLongestRunIn = 2;
+/// Share of the radius that entry and exit keep from the corner where the contour begins and ends. An approach along
+/// the first wall's own line brushes it (by 3 % at four radii, D-70); one from the other side of the walls goes over
+/// it.
+constexpr double kLeastAtCorner = 0.5;
+
+/// The part of a line that is no higher than this; its lower end is.
+PlanePiece part_below(const Line& line, const PlaneAxes& axes, double height_mm) {
+  constexpr double kSameHeight_mm = 1e-9;
+  const double top = height_mm + kSameHeight_mm, from = line.from.*axes.normal, to = line.to.*axes.normal;
+  const PlaneVector begin = in_plane(line.from, axes), end = in_plane(line.to, axes);
+  if (from <= top && to <= top) return {.from = begin, .to = end};
+  const PlaneVector at_top = between(begin, end, std::clamp((from - top) / (from - to), 0.0, 1.0));
+  return from > top ? PlanePiece{.from = at_top, .to = end} : PlanePiece{.from = begin, .to = at_top};
+}
+
+/// What two passes of a loop over the same block have in common.
+auto trace_of(const PlanePiece& piece, const SourceBlock& source) {
+  return std::tie(piece.from.first, piece.from.second, piece.to.first, piece.to.second, piece.center.first,
+                  piece.center.second, piece.radius, piece.is_circle, piece.lowest, piece.highest, source.program,
+                  source.block);
+}
 
 }  // namespace
 
-void ContourCheck::begin(Plane plane, double radius_mm) {
+void ContourCheck::begin(Plane plane, double radius_mm, SourceBlock source, const Line& entry) {
   plane_ = plane;
   radius_mm_ = radius_mm;
+  entry_ = {.kind = StageFault::Kind::entry_too_close, .source = source, .line = entry, .element = 1};
+  awaits_exit_ = false;
   is_open_ = true;
   elements_ = 0;
   joints_.clear();
@@ -46,6 +79,7 @@ void ContourCheck::add_contour(SourceBlock source, const PathElement& element) {
   const PlaneAxes& axes = axes_of(plane_);
   const auto ends = [&](const auto& way) {
     if (joints_.empty()) joints_.push_back(in_plane(way.from, axes));
+    if (elements_ == entry_.element) entry_.corner = joints_.front();
     joints_.push_back(in_plane(way.to, axes));
   };
   std::visit(ends, element);
@@ -58,8 +92,12 @@ void ContourCheck::add_corner(SourceBlock source, const Arc& corner) { append(so
 void ContourCheck::end() {
   if (!is_open_) return;
   is_open_ = false;
+  awaits_exit_ = true;
   keep_closed_part();
+  drop_repeated(contour_);
+  drop_repeated(ways_);
   plant_tree();
+  look_round(entry_);
   const double reach = radius_mm_ - kTolerance_mm;
   for (const Placed& way : ways_) {
     const PieceBox box = box_of(way.piece);
@@ -73,12 +111,26 @@ void ContourCheck::end() {
 void ContourCheck::split() {
   if (!is_open_) return;
   end();
-  begin(plane_, radius_mm_);
+  Passage entry = entry_;
+  entry.element = 0;  // of an earlier part
+  begin(plane_, radius_mm_, entry.source, entry.line);
+  entry_ = entry;
+}
+
+void ContourCheck::add_exit(SourceBlock source, const Line& exit) {
+  const bool is_next = std::exchange(awaits_exit_, false);
+  if (!is_next || joints_.empty()) return;
+  look_round({.kind = StageFault::Kind::exit_too_close,
+              .source = source,
+              .line = exit,
+              .corner = joints_.back(),
+              .element = elements_});
 }
 
 /// Drops run-in and run-out from the walls: the largest part that closes is the contour.
 void ContourCheck::keep_closed_part() {
   const std::size_t count = elements_;
+  is_closed_ = false;
   for (std::size_t dropped = 0; dropped <= 2 * kLongestRunIn; ++dropped) {
     for (std::size_t ahead = 0; ahead <= std::min(dropped, kLongestRunIn); ++ahead) {
       const std::size_t behind = dropped - ahead;
@@ -86,9 +138,25 @@ void ContourCheck::keep_closed_part() {
       if (size(joints_[ahead] - joints_[count - behind]) > kSamePoint_mm) continue;
       std::erase_if(contour_,
                     [&](const Placed& wall) { return wall.element <= ahead || wall.element > count - behind; });
+      is_closed_ = true;
       return;
     }
   }
+}
+
+/// A loop runs along the same walls again and again: once is enough, or its passes would count squared.
+void ContourCheck::drop_repeated(std::vector<Placed>& pieces) {
+  const auto trace = [&](std::uint32_t index) { return trace_of(pieces[index].piece, pieces[index].source); };
+  std::vector<std::uint32_t> order(pieces.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
+    const auto order_of_traces = trace(a) <=> trace(b);
+    return order_of_traces == 0 ? a < b : order_of_traces < 0;
+  });
+  std::vector<bool> is_repeated(pieces.size());
+  for (std::size_t i = 1; i < order.size(); ++i)
+    if (trace(order[i - 1]) == trace(order[i])) is_repeated[order[i]] = true;
+  std::erase_if(pieces, [&, index = std::size_t{0}](const Placed&) mutable { return is_repeated[index++]; });
 }
 
 /// Sorts the walls so that neighbours in space are neighbours in the tree.
@@ -111,21 +179,44 @@ void ContourCheck::compare(const Placed& way, const Placed& wall) {
   // Beside its own element a way keeps the tool's radius by construction; a corner need not (an arc that returns).
   if (way.element == wall.element) return;
   const double found = distance_between(way.piece, wall.piece);
-  if (found < radius_mm_ - kTolerance_mm) note(way.source, wall.source, found);
+  if (found < radius_mm_ - kTolerance_mm) note(StageFault::Kind::too_close, way.source, wall.source, found);
 }
 
-void ContourCheck::note(SourceBlock way, SourceBlock wall, double found_mm) {
+/// Every wall that entry or exit comes near while it is no higher.
+void ContourCheck::look_round(const Passage& passage) {
+  const PlaneAxes& axes = axes_of(plane_);
+  const double reach = radius_mm_ - kTolerance_mm;
+  pieces_.clear();
+  append_pieces(passage.line, axes, pieces_);
+  PieceBox box = box_of(pieces_.front());
+  box.normal_high = std::numeric_limits<double>::infinity();
+  tree_.visit_near(box, reach, [&](std::size_t first, std::size_t last) {
+    for (std::size_t index = first; index < last; ++index)
+      if (is_near(boxes_[index], box, reach)) look_at(passage, contour_[index]);
+  });
+}
+
+/// Where the way comes to the contour's own end first, nearness is no cut yet: beside it entry ends and exit begins.
+void ContourCheck::look_at(const Passage& passage, const Placed& wall) {
+  const PlanePiece way = part_below(passage.line, axes_of(plane_), wall.piece.highest);
+  const double found = distance_between(way, wall.piece);
+  double needed = radius_mm_ - kTolerance_mm;
+  const PlanePiece corner{.from = passage.corner, .to = passage.corner};
+  const bool is_at_corner =
+      distance_between(corner, wall.piece) < radius_mm_ && distance_between(way, corner) < found + kTolerance_mm;
+  const bool is_own = wall.element == passage.element && !is_closed_;
+  if (is_at_corner) needed = is_own ? 0 : radius_mm_ * kLeastAtCorner;
+  if (found < needed) note(passage.kind, passage.source, wall.source, found);
+}
+
+void ContourCheck::note(StageFault::Kind kind, SourceBlock way, SourceBlock wall, double found_mm) {
   const auto first = findings_.begin() + static_cast<std::ptrdiff_t>(first_of_chain_);
   const auto known = std::find_if(first, findings_.end(),
                                   [&](const StageFault& fault) { return fault.block == way && fault.other == wall; });
   if (known != findings_.end())
     known->found_mm = std::min(known->found_mm, found_mm);
   else if (findings_.size() - first_of_chain_ < kMostFindings)
-    findings_.push_back({.kind = StageFault::Kind::too_close,
-                         .block = way,
-                         .other = wall,
-                         .found_mm = found_mm,
-                         .needed_mm = radius_mm_});
+    findings_.push_back({.kind = kind, .block = way, .other = wall, .found_mm = found_mm, .needed_mm = radius_mm_});
 }
 
 }  // namespace cnclab::geometry

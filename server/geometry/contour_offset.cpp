@@ -143,10 +143,7 @@ std::expected<void, StageFault> ContourOffset::take_way(const PathItem& item, st
   switch (state_) {
     case State::off:
       if (!is_line) return fault_at(StageFault::Kind::arc_at_entry_or_exit, item);
-      out.push_back(item);
-      std::get<Line>(out.back().what).from = sum(from_of(item), shift_);
-      shift_ = {};
-      is_shifted_ = false;
+      leave_contour(item, out, check);
       return {};
     case State::awaits_entry:
       if (!is_line) return fault_at(StageFault::Kind::arc_at_entry_or_exit, item);
@@ -169,8 +166,7 @@ std::expected<void, StageFault> ContourOffset::begin_contour(const PathItem& ite
   const OffsetElement element = offset_of(item, axes_of(order_.plane), offset_);
   if (element.is_arc() && element.smallest_offset_radius() <= kSamePoint_mm)
     return fault_at(StageFault::Kind::inside_arc_too_small, item, element.start_radius, order_.radius_mm);
-  emit_entry(element.start, out);
-  if (check != nullptr) check->begin(order_.plane, order_.radius_mm);
+  emit_entry(element.start, out, check);
   hold(item, element, {.kind = Joint::Kind::tangent, .point = element.start});
   return {};
 }
@@ -242,7 +238,8 @@ void ContourOffset::finish(std::vector<PathItem>& out, ContourCheck* check) {
     case State::awaits_entry:
       return;
     case State::entry_held:
-      emit_entry(offset_of(held_, axes_of(order_.plane), offset_).end, out);
+      emit_entry(offset_of(held_, axes_of(order_.plane), offset_).end, out, check);
+      if (check != nullptr) check->end();
       break;
     case State::element_held:
       emit_element({.kind = Joint::Kind::tangent, .point = element_.end}, out, check);
@@ -250,6 +247,16 @@ void ContourOffset::finish(std::vector<PathItem>& out, ContourCheck* check) {
       break;
   }
   state_ = State::awaits_entry;
+}
+
+/// Rule 5: the exit.
+void ContourOffset::leave_contour(const PathItem& item, std::vector<PathItem>& out, ContourCheck* check) {
+  out.push_back(item);
+  auto& line = std::get<Line>(out.back().what);
+  line.from = sum(line.from, shift_);
+  shift_ = {};
+  is_shifted_ = false;
+  if (check != nullptr) check->add_exit(item.source, line);
 }
 
 /// Lets an item pass that does not move in the plane, or comes while nothing is on.
@@ -262,12 +269,13 @@ void ContourOffset::leave(const PathItem& item, std::vector<PathItem>& out) {
   }
 }
 
-void ContourOffset::emit_entry(PlaneVector end, std::vector<PathItem>& out) {
+void ContourOffset::emit_entry(PlaneVector end, std::vector<PathItem>& out, ContourCheck* check) {
   const PlaneAxes& axes = axes_of(order_.plane);
   out.push_back(held_);
   auto& line = std::get<Line>(out.back().what);
   line.from = sum(line.from, shift_);
   set_in_plane(line.to, axes, end);
+  if (check != nullptr) check->begin(order_.plane, order_.radius_mm, held_.source, line);
   at_ = end;
   shift_ = {};
   set_shift(at_, to_of(held_));

@@ -52,7 +52,8 @@ class ContourOffset {
   void hold(const PathItem& item, const OffsetElement& element, const Joint& joint);
   void finish(std::vector<PathItem>& out, ContourCheck* check);
   void leave(const PathItem& item, std::vector<PathItem>& out);
-  void emit_entry(PlaneVector end, std::vector<PathItem>& out);
+  void leave_contour(const PathItem& item, std::vector<PathItem>& out, ContourCheck* check);
+  void emit_entry(PlaneVector end, std::vector<PathItem>& out, ContourCheck* check);
   void emit_element(const Joint& joint, std::vector<PathItem>& out, ContourCheck* check);
   void emit_corner(std::vector<PathItem>& out, ContourCheck* check);
   void emit_behind(std::vector<PathItem>& out);

@@ -26,12 +26,14 @@ struct StageFault {
     no_intersection,         ///< the offset elements at an inside corner do not meet
     runs_backwards,          ///< between its two corners an element would be run against its direction
     too_close,               ///< another element of the chain lies within the tool's radius (see `ContourCheck`)
+    entry_too_close,         ///< the same on the way that enters the chain (COMP-007)
+    exit_too_close,          ///< the same on the way that leaves it
     rounding_without_lines,  ///< G10 not between two lines of the plane
     rounding_too_large,      ///< G10: the radius does not fit into one of the two lines
   };
   Kind kind{};
   SourceBlock block;
-  SourceBlock other;  ///< too_close: the element that is hit; else as `block`
+  SourceBlock other;  ///< … too_close: the element that is hit; else as `block`
   /// What there is and what there ought to be, 0 and 0 where nothing is measured: radius of the arc and of the tool;
   /// length of the element and what its corners take of it; distance of the tool's centre and the tool's radius.
   double found_mm = 0, needed_mm = 0;

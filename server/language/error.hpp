@@ -30,6 +30,8 @@ enum class ErrorCode : std::uint8_t {
   no_intersection,          ///< the same: the paths of two elements do not meet at an inside corner (D-71)
   runs_backwards,           ///< the same: an element would be run against its direction (DEC-09)
   too_close,                ///< the same: the path cuts into another block's element, `detail` names it (DEC-09)
+  entry_too_close,          ///< the same, on the way that enters a contour: a wall is crossed or brushed (COMP-007)
+  exit_too_close,           ///< the same, on the way that leaves it
   contour_unchecked,        ///< the same: on the lab machine a contour that depends on Input 1 (DEC-09)
   rounding_without_lines,   ///< Kreis falsch: G10 not between two lines of the plane (D-66)
   rounding_too_large,       ///< Kreis falsch: the radius of G10 does not fit into both lines (D-66)

@@ -3,6 +3,9 @@
 //        ╭───────────╮     The disc swept along a way is convex, so it meets a row in one interval: that of the disc at
 //        │ a ─────▶ b │    the start, the disc at the end and the rectangle between them, whichever reach further.
 //        ╰───────────╯
+//
+// Where the tool has just come to `a` at this depth, the disc there is empty already, and only what lies beyond it is
+// looked at: chords of an arc and the ways of single ticks are far shorter than the tool is wide.
 #include "machine/workpiece.hpp"
 
 #include <algorithm>
@@ -15,7 +18,8 @@ struct Workpiece::Way {
   geometry::Point from, to;
   double radius = 0;
   double edge = 0;
-  double length_sq = 0;  ///< in X and Y
+  double length_sq = 0;       ///< in X and Y
+  bool is_start_cut = false;  ///< nothing is left above `from.z` within the radius about `from`
 
   struct Interval {
     double low = INFINITY, high = -INFINITY;
@@ -58,6 +62,13 @@ struct Workpiece::Way {
     include_disc(from, y, interval);
     include_disc(to, y, interval);
     include_rectangle(y, interval);
+    return interval;
+  }
+
+  /// What of the row need not be looked at: a way that does not fall takes nothing from where it began.
+  [[nodiscard]] Interval empty_at(double y) const {
+    Interval interval;
+    if (is_start_cut && to.z >= from.z) include_disc(from, y, interval);
     return interval;
   }
 
@@ -128,7 +139,16 @@ void Workpiece::cut_row(std::size_t row, const Way& way, Cut& cut) {
   const Way::Interval interval = way.at(y);
   const double first = std::max(0.0, std::ceil(interval.low / cell_mm_ - 0.5));
   const double last = std::min(static_cast<double>(columns_) - 1, std::floor(interval.high / cell_mm_ - 0.5));
+  const Way::Interval empty = way.empty_at(y);
+  if (!(empty.low <= empty.high)) return cut_columns(row, first, last, way, cut);
+  cut_columns(row, first, std::min(last, std::ceil(empty.low / cell_mm_ - 0.5) - 1), way, cut);
+  cut_columns(row, std::max(first, std::floor(empty.high / cell_mm_ - 0.5) + 1), last, way, cut);
+}
+
+/// The cells from column `first` to `last`; none where they are the other way about.
+void Workpiece::cut_columns(std::size_t row, double first, double last, const Way& way, Cut& cut) {
   if (!(first <= last)) return;
+  const double y = (static_cast<double>(row) + 0.5) * cell_mm_;
   const bool is_level = way.from.z == way.to.z || way.length_sq <= 0;
   const double level = std::min(way.from.z, way.to.z);
   float lost = 0, most = 0, contact = 0;
@@ -152,7 +172,10 @@ Cut Workpiece::cut(const geometry::Point& from, const geometry::Point& to, doubl
   const auto inside = [this](const geometry::Point& p) {
     return geometry::Point{p.x - corner_.x, p.y - corner_.y, p.z - corner_.z, 0};
   };
-  Way way{inside(from), inside(to), radius_mm, edge_mm, 0};
+  Way way{.from = inside(from), .to = inside(to), .radius = radius_mm, .edge = edge_mm};
+  way.is_start_cut = radius_mm == last_radius_mm_ && way.from == last_end_;
+  last_end_ = way.to;
+  last_radius_mm_ = radius_mm;
   Cut cut;
   if (std::min(way.from.z, way.to.z) >= full_height_mm_) return cut;
   way.length_sq = (to.x - from.x) * (to.x - from.x) + (to.y - from.y) * (to.y - from.y);

@@ -71,6 +71,7 @@ class Workpiece {
   Workpiece() = default;
   struct Way;
   void cut_row(std::size_t row, const Way& way, Cut& cut);
+  void cut_columns(std::size_t row, double first, double last, const Way& way, Cut& cut);
   float lower(std::size_t index, double z);
 
   std::size_t columns_ = 0, rows_ = 0;
@@ -78,6 +79,8 @@ class Workpiece {
   geometry::Point corner_;
   std::vector<float> heights_;
   double removed_mm3_ = 0;
+  geometry::Point last_end_;  ///< of the way that was cut last, from the corner
+  double last_radius_mm_ = 0;
 };
 
 }  // namespace cnclab::machine

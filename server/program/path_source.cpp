@@ -22,12 +22,21 @@ language::ErrorCode code_of(StageFault::Kind kind) {
       return ErrorCode::runs_backwards;
     case StageFault::Kind::too_close:
       return ErrorCode::too_close;
+    case StageFault::Kind::entry_too_close:
+      return ErrorCode::entry_too_close;
+    case StageFault::Kind::exit_too_close:
+      return ErrorCode::exit_too_close;
     case StageFault::Kind::rounding_without_lines:
       return ErrorCode::rounding_without_lines;
     case StageFault::Kind::rounding_too_large:
       return ErrorCode::rounding_too_large;
   }
   return ErrorCode::compensation_impossible;
+}
+
+bool names_a_wall(StageFault::Kind kind) {
+  return kind == StageFault::Kind::too_close || kind == StageFault::Kind::entry_too_close ||
+         kind == StageFault::Kind::exit_too_close;
 }
 
 bool is_contour_order(const geometry::PathItem& item) {
@@ -39,7 +48,7 @@ bool is_contour_order(const geometry::PathItem& item) {
 
 language::Error error_of(const StageFault& fault) {
   language::Error error{.code = code_of(fault.kind), .program = fault.block.program, .block = fault.block.block};
-  if (fault.kind == StageFault::Kind::too_close) {
+  if (names_a_wall(fault.kind)) {
     error.detail = fmt::format("P{:04} N{:03}", fault.other.program, fault.other.block);
   } else if (fault.found_mm != 0 || fault.needed_mm != 0) {
     error.detail = fmt::format("{:.3f}", fault.found_mm);

@@ -27,6 +27,9 @@ std::string german(const Finding& finding) {
     case Kind::tool_not_in_table:
       return fmt::format("Werkzeug T{:02.0f} fehlt in P0000: keine Korrektur. Zeile T{:03.0f} eingeben.", finding.found,
                          finding.found);
+    case Kind::contour_in_parts:
+      return fmt::format("Kontur hat mehr als {:.0f} Sätze: ab hier nur in Teilen geprüft. START prüft sie ganz.",
+                         finding.most);
     case Kind::endless_loop:
       return "Programm endet nicht: nach der größten Satzzahl abgebrochen. Sprünge prüfen.";
     case Kind::too_long:
@@ -51,6 +54,10 @@ std::string english(const Finding& finding) {
     case Kind::tool_not_in_table:
       return fmt::format("tool T{:02.0f} is not in P0000: no compensation. Enter row T{:03.0f}.", finding.found,
                          finding.found);
+    case Kind::contour_in_parts:
+      return fmt::format(
+          "the contour has more than {:.0f} blocks: checked in parts from here on. START checks it whole.",
+          finding.most);
     case Kind::endless_loop:
       return "the program does not end: broken off at the block limit. Check the jumps.";
     case Kind::too_long:

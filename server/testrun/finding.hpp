@@ -17,14 +17,16 @@ struct Finding {
     spindle_off_in_material,   ///< the cutter stands
     tool_missing_in_material,  ///< it cuts, and no tool was called or the one called has no radius
     tool_not_in_table,         ///< a T that P0000 does not have: no compensation, and no message either (D-74)
+    contour_in_parts,          ///< a contour too long to be checked as a whole: from here on in parts (DEC-09)
     endless_loop,              ///< the block limit was reached
     too_long,                  ///< … the limit of machine time
     error,                     ///< what would stop the control too: compensation, F0000, F above F MAX, jumps, …
   };
   Kind kind{};
   geometry::SourceBlock block;
-  char axis = 0;                              ///< travel_exceeded
-  double found = 0, least = 0, most = 0;      ///< travel_exceeded: mm; tool_not_in_table: its number; too_long: hours
+  char axis = 0;  ///< travel_exceeded
+  /// travel_exceeded: mm; tool_not_in_table: its number; contour_in_parts: blocks; too_long: hours
+  double found = 0, least = 0, most = 0;
   std::optional<language::Error> error = {};  ///< error
 };
 

@@ -72,9 +72,10 @@ void TestRun::execute_block() {
     return end();
   }
   items_.clear();
-  const auto executed = source_.step(items_, contour_blocks_ < kLongestContour ? &check_ : nullptr);
+  const auto executed = source_.step(items_, &check_);
   ++blocks_;
   if (executed) block_ = executed->source;
+  if (!executed && blocks_ == 1) block_ = {executed.error().program, executed.error().block};
   if (executed && executed->depth == 0)
     if (const language::Program* main = order_.programs.find(block_.program)) {
       main_blocks_ = std::max<std::size_t>(main->blocks.size(), 1);
@@ -100,6 +101,11 @@ void TestRun::follow_contour() {
   contour_blocks_ = is_compensated ? contour_blocks_ + 1 : 0;
   if (is_compensated)
     for (const geometry::PathItem& item : source_.programmed()) keep(item, contour_, contour_spots_);
+  if (is_compensated && contour_blocks_ % order_.longest_contour == 0) {
+    check_.split();
+    if (contour_blocks_ == order_.longest_contour)
+      report({.kind = Kind::contour_in_parts, .block = block_, .most = static_cast<double>(order_.longest_contour)});
+  }
   for (; gouges_ < check_.findings().size(); ++gouges_) {
     const language::Error error = program::error_of(check_.findings()[gouges_]);
     report({.kind = Kind::error, .block = {error.program, error.block}, .error = error});
@@ -133,6 +139,7 @@ void TestRun::take_way(const geometry::PathItem& item) {
   check_travel(item, way.front());
   if (has_ended_) return;
   cut(item, way.front());
+  ways_ += way.front().spots.size() - 1;
   keep(item, path_, spots_);
   const auto* line = std::get_if<geometry::Line>(&item.what);
   position_ = line != nullptr ? line->to : std::get<geometry::Arc>(item.what).to;
@@ -197,8 +204,9 @@ void TestRun::end() {
 }
 
 double TestRun::progress() const {
+  constexpr double kMostBeforeTheEnd = 0.99;  // a loop comes to the last block again and again
   if (has_ended_) return 1;
-  return std::min(1.0, static_cast<double>(main_index_) / static_cast<double>(main_blocks_));
+  return std::min(kMostBeforeTheEnd, static_cast<double>(main_index_) / static_cast<double>(main_blocks_));
 }
 
 drawing::Scene TestRun::scene() const {

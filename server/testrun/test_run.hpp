@@ -11,6 +11,8 @@
 //  2. Input 1 is inactive, halts and waits are passed.
 //  3. It ends where the control would: at the program's end, an error, a limit switch; and at the limits of the order.
 //  4. Each finding is told once for a block.
+//  5. A contour that is longer than the order allows is checked in parts, and that is told: what cuts into a wall of an
+//     earlier part is not found.
 #pragma once
 
 #include <cstdint>
@@ -45,6 +47,7 @@ struct TestOrder {
   std::uint64_t most_blocks = 200'000;  ///< then it counts as endless
   double most_machine_s = 36'000;       ///< then it is broken off: ten hours
   std::size_t most_spots = 50'000;      ///< kept of the path, and of the contour, for the picture; 12 bytes each
+  std::size_t longest_contour = 2000;   ///< blocks of a contour that are checked as a whole; 400 bytes each
 };
 
 /// Travel of a machine whose axes stand in the middle at the start (DEC-23).
@@ -53,8 +56,6 @@ struct TestOrder {
 class TestRun {
  public:
   static constexpr std::size_t kMostFindings = 200;
-  /// Contours of more blocks are not checked for ways that cut into them: 400 bytes for each element.
-  static constexpr std::size_t kLongestContour = 2000;
 
   /// errors   as PathSource::begin: the program cannot be started at all
   [[nodiscard]] static std::expected<TestRun, language::Error> begin(TestOrder order);
@@ -66,11 +67,13 @@ class TestRun {
   [[nodiscard]] const std::vector<Finding>& findings() const { return findings_; }
   [[nodiscard]] std::size_t findings_left_off() const { return findings_left_off_; }
   [[nodiscard]] std::uint64_t blocks() const { return blocks_; }
+  /// Straight ways so far, arcs counted by their chords: what the time of a test run grows with.
+  [[nodiscard]] std::uint64_t ways() const { return ways_; }
   /// The one that was started.
   [[nodiscard]] std::uint16_t program() const { return order_.start.program; }
-  /// The block executed last.
+  /// The block executed last; where there is none, the one that cannot be executed.
   [[nodiscard]] geometry::SourceBlock block() const { return block_; }
-  /// Done of the main program's blocks, 0..1: jumps make it go back.
+  /// Done of the main program's blocks, 0..1: jumps make it go back. 1 only at the end.
   [[nodiscard]] double progress() const;
   [[nodiscard]] double path_mm() const { return path_mm_; }
   [[nodiscard]] double machine_time_s() const { return time_.seconds(); }  ///< whole at the end, a little behind before
@@ -106,7 +109,7 @@ class TestRun {
   std::size_t contour_blocks_ = 0;  ///< of the contour that is followed now
   std::vector<Finding> findings_;
   std::size_t findings_left_off_ = 0;
-  std::uint64_t blocks_ = 0;
+  std::uint64_t blocks_ = 0, ways_ = 0;
   geometry::SourceBlock block_;
   std::size_t main_index_ = 0, main_blocks_ = 1;
   geometry::Point position_;

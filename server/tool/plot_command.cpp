@@ -4,6 +4,7 @@
 
 #include "drawing/pdf.hpp"
 #include "drawing/svg.hpp"
+#include "program/checked_path.hpp"
 #include "testrun/test_picture.hpp"
 #include "tool/job.hpp"
 #include "tool/text_file.hpp"
@@ -19,6 +20,8 @@ constexpr std::uint64_t kMostBlocks = 1'000'000;
 /// More points than this cannot be told apart on paper, and the file would choke its readers.
 constexpr std::size_t kMostSpots = 1'000'000;
 constexpr std::uint64_t kPortion = 1'000'000;
+/// As long as a contour that a run holds back until it is checked: 40 MB.
+constexpr std::size_t kLongestContour = program::CheckedPath::kMostHeld;
 
 drawing::View view_of(const std::string& name) {
   if (name == "xz") return drawing::View::xz;
@@ -45,7 +48,8 @@ std::expected<testrun::TestRun, language::Error> tested(const Job& job, const Op
                                        .travel = testrun::travel_about(job.start.position, job.data),
                                        .ends_at_travel = ends_at_travel,
                                        .most_blocks = std::min(options.most_blocks, kMostBlocks),
-                                       .most_spots = kMostSpots});
+                                       .most_spots = kMostSpots,
+                                       .longest_contour = kLongestContour});
   if (!test) return test;
   while (!test->has_ended()) test->advance(kPortion);
   if (const Finding* finding = find(*test, Finding::Kind::error)) return std::unexpected(*finding->error);
@@ -78,6 +82,8 @@ int plot(const Options& options) {
     job->print(test.error());
     return kExitError;
   }
+  if (const Finding* finding = find(*test, Finding::Kind::contour_in_parts))
+    print_problem(job->file, testrun::explain(*finding, options.tongue));
   const auto bytes = file_of(testrun::picture_of(*test, view_of(options.view), options.tongue), options.out_file);
   if (!bytes) {
     print_problem(options.out_file, bytes.error());

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <sstream>
 #include <string>
+#include <string_view>
 
 namespace cnclab::bench {
 
@@ -23,11 +24,16 @@ inline double cpu_seconds(pid_t pid) {
   return (user + system) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
-inline double rss_mib(pid_t pid) {
+/// A line of /proc/PID/status that counts KiB, in MiB.
+inline double status_mib(pid_t pid, std::string_view name) {
   std::ifstream file(fmt::format("/proc/{}/status", pid));
   for (std::string line; std::getline(file, line);)
-    if (line.rfind("VmRSS:", 0) == 0) return std::stod(line.substr(6)) / 1024;
+    if (line.starts_with(name)) return std::stod(line.substr(name.size())) / 1024;
   return 0;
 }
+
+inline double rss_mib(pid_t pid) { return status_mib(pid, "VmRSS:"); }
+/// The most that it ever was.
+inline double peak_rss_mib(pid_t pid) { return status_mib(pid, "VmHWM:"); }
 
 }  // namespace cnclab::bench

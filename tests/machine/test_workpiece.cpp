@@ -106,6 +106,29 @@ RC_GTEST_PROP(WorkpieceProperty, AnyWaysCutWhatTheSlowModelCuts, ()) {
   RC_ASSERT(far <= ways * 4);
 }
 
+/// Ways that go on where the last one ended: what they need not look at again is empty indeed. The same ways with
+/// another one between them, in the air, are looked at as a whole.
+RC_GTEST_PROP(WorkpieceProperty, WaysThatGoOnCutWhatSingleWaysCut, ()) {
+  const WorkpieceSpec spec{{12, 9, 5}, 0.25};
+  Workpiece going_on = whole(spec), single = whole(spec);
+  const auto coordinate = [](int least, int most) { return *rc::gen::inRange(least, most + 1) / 10.0; };
+  geometry::Point at{coordinate(-80, 80), coordinate(-60, 60), coordinate(-40, 10), 0};
+  double radius = coordinate(3, 40);
+  const int ways = *rc::gen::inRange(1, 12);
+  for (int i = 0; i < ways; ++i) {
+    if (*rc::gen::inRange(0, 6) == 0) radius = coordinate(3, 40);
+    if (*rc::gen::inRange(0, 6) == 0) at.x += 1;  // lifted and set down elsewhere
+    geometry::Point to{at.x + coordinate(-20, 20), at.y + coordinate(-20, 20), at.z, 0};
+    if (*rc::gen::inRange(0, 3) == 0) to.z += coordinate(-20, 20);
+    const double contact = going_on.cut(at, to, radius, 0.25).contact_mm;
+    single.cut({0, 0, 100, 0}, {1, 0, 100, 0}, 1, 0);
+    RC_ASSERT(std::abs(contact - single.cut(at, to, radius, 0.25).contact_mm) < 1e-5);
+    at = to;
+  }
+  for (std::size_t i = 0; i < single.heights().size(); ++i)
+    RC_ASSERT(std::abs(going_on.heights()[i] - single.heights()[i]) < 1e-5F);
+}
+
 TEST(Workpiece, SpecsThatCannotBeMadeAreRefused) {
   EXPECT_EQ(Workpiece::make({{0, 80, 30}, 0.25}, {}).error(), WorkpieceError::not_positive);
   EXPECT_EQ(Workpiece::make({{120, 80, 30}, 0}, {}).error(), WorkpieceError::not_positive);

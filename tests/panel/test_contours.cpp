@@ -101,6 +101,75 @@ TEST(Contours, OnTheLabMachineNoneIsFollowedUnchecked_DEC09) {
   }
 }
 
+/// As kNarrowPocket, but behind the answer of Input 1: N004 to N010.
+constexpr std::string_view kNarrowPocketBehindInput =
+    "P0000T001R+5000L+0 P0001N001G11F1000T01N002G01Z+1000N003G01Z+1000N004G21P0001N020N005G42N006G01X+10000"
+    "N007G01Y+50000N008G01X+60000N009G01Y-30000N010G01X-57000N011G40N012G01Y+10000N020G11M02%";
+
+TEST(Contours, OneThatStartCouldNotReachIsCheckedWhenTheRunComesToIt_DEC09) {
+  Bench bench({.tape = std::string(kNarrowPocketBehindInput)});
+  start(bench);
+  ASSERT_TRUE(bench.run_to_rest()) << bench.picture();
+  EXPECT_THAT(bench.monitor(15), HasSubstr("Korrektur nicht moeglich")) << bench.picture();
+  EXPECT_THAT(bench.row(18), HasSubstr("P0001 N007: Werkzeug würde in P0001 N010 schneiden")) << bench.picture();
+  EXPECT_NEAR(bench.istwert(2), 2, kStep_mm) << "what lies before the contour was done";
+  EXPECT_NEAR(bench.istwert(0), 15, kStep_mm) << "the entry is right";
+  EXPECT_NEAR(bench.istwert(1), 0, kStep_mm) << "N007 is not";
+}
+
+TEST(Contours, TheRunWaitsForTheCheckOfOneThatStartCouldNotReach_DEC09) {
+  std::vector<std::function<void()>> jobs;
+  Bench::Setup setup{.tape = std::string(kContourBehindInput)};
+  setup.settings.long_work = [&jobs](std::function<void()> job) { jobs.push_back(std::move(job)); };
+  Bench bench(setup);
+  start(bench);
+  ASSERT_EQ(jobs.size(), 1u);
+  jobs.front()();
+  ASSERT_TRUE(bench.run_until([&] { return jobs.size() == 2; })) << bench.picture();
+  bench.run_for(5000);
+  EXPECT_TRUE(bench.control.is_running());
+  EXPECT_NEAR(bench.istwert(0), 10, kStep_mm) << "it stands before the contour";
+  jobs.back()();
+  ASSERT_TRUE(bench.run_until([&] { return !bench.control.is_running(); })) << bench.picture();
+  EXPECT_EQ(bench.snapshot().cause, machine::StopCause::program_end) << bench.picture();
+}
+
+/// A question in the middle of the contour: N007 is driven when it is asked, and only its answer leads to N010.
+TEST(Contours, OneWithAQuestionInsideIsLookedAtAgainWithEachAnswer_DEC09) {
+  constexpr std::string_view kQuestionInside =
+      "P0000T001R+5000L+0 P0001N001G11F1000T01N002G42N003G01X+10000N004G01Y+50000N005G01X+60000N006G01Y-30000"
+      "N007G21P0001N020N008G01X-57000N009G40N010G01Y+10000N011G11M02N020G01Y-60000N021G40N022G01X+20000N023G11M02%";
+  for (const bool jumps : {false, true}) {
+    SCOPED_TRACE(jumps ? "to the sound end" : "into the wall");
+    Bench bench({.tape = std::string(kQuestionInside)});
+    bench.machine.set_input(0, 0, jumps);
+    bench.run_for(20);
+    start(bench);
+    ASSERT_TRUE(bench.run_until([&] { return !bench.control.is_running(); })) << bench.picture();
+    if (jumps)
+      EXPECT_EQ(bench.snapshot().cause, machine::StopCause::program_end) << bench.picture();
+    else
+      EXPECT_THAT(bench.row(18), HasSubstr("P0001 N004: Werkzeug würde in P0001 N008 schneiden")) << bench.picture();
+    EXPECT_GT(bench.istwert(1), jumps ? -70 : 20) << "the contour was driven up to the question";
+  }
+}
+
+/// Inside a room, from outside: neither machine moves.
+TEST(Contours, OneThatIsEnteredThroughAWallMovesNothing_COMP007) {
+  constexpr std::string_view kRoom =
+      "P0000T001R+5000L+0 P0001N001G11F1000T01N002G41N003G01Y+20000N004G01X+30000N005G01Y+40000N006G01X-60000"
+      "N007G01Y-40000N008G01X+30000N009G40N010G01Y+20000N011G11M02%";
+  for (const bool is_lab_machine : {false, true}) {
+    SCOPED_TRACE(is_lab_machine ? "lab machine" : "training machine");
+    Bench bench({.tape = std::string(kRoom), .is_lab_machine = is_lab_machine});
+    start(bench);
+    ASSERT_TRUE(bench.run_to_rest()) << bench.picture();
+    EXPECT_THAT(bench.monitor(15), HasSubstr("Korrektur nicht moeglich")) << bench.picture();
+    EXPECT_THAT(bench.row(18), HasSubstr("P0001 N003: Einfahren würde in P0001 N008 schneiden")) << bench.picture();
+    EXPECT_EQ(bench.snapshot().steps, (std::array<std::int64_t, 4>{}));
+  }
+}
+
 /// The two-block rule: G21 is the fourth block, so the start of the second decides.
 constexpr std::string_view kJumpOnInput =
     "P0001N001G11F1000N002G01X+10000N003G01Y+10000N004G21P0001N010N005G01X-10000N006G11M02N010G01Z+5000%";

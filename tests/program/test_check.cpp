@@ -123,7 +123,15 @@ TEST(DryRunContours, ThatCannotBeFollowed_DEC09_D71) {
       {"a square from outside", "N003G42N004G01X+20000N005G01X+30000N006G01Y+30000N007G40N008G01X+9000", {}},
       {"a pocket whose last wall ends 3 mm before its first",
        "N003G42N004G01X+10000N005G01Y+50000N006G01X+60000N007G01Y-30000N008G01X-57000N009G40N010G01Y+10000",
-       {{5, ErrorCode::too_close}, {8, ErrorCode::too_close}}},
+       {{5, ErrorCode::too_close}, {8, ErrorCode::too_close}, {10, ErrorCode::exit_too_close}}},
+      {"a room entered and left through its walls",
+       "N003G41N004G01Y+20000N005G01X+30000N006G01Y+40000N007G01X-60000N008G01Y-40000N009G01X+30000N010G40N011G01Y-"
+       "9000",
+       {{4, ErrorCode::entry_too_close}, {11, ErrorCode::exit_too_close}}},
+      {"a room entered from its middle",
+       "N003G41N004G01Y-20000N005G01X+30000N006G01Y+40000N007G01X-60000N008G01Y-40000N009G01X+30000N010G40N011G01Y+"
+       "20000",
+       {}},
       {"an arc smaller than the tool",
        "N003G41N004G01X+10000N005G01X+20000N006G03X+0Y+6000I+0J+3000N007G01X-20000N008G40N009G01X-9000",
        {{6, ErrorCode::inside_arc_too_small}}},

@@ -14,8 +14,8 @@ TEST(CellText, Dec01LikenessesWithoutUnicode) {
   const std::u32string likeness = U"+-+|++#*o><>vaouAOUs";
   ASSERT_EQ(original.size(), likeness.size());
   for (std::size_t i = 0; i < original.size(); ++i) {
-    EXPECT_EQ(shown_code(original[i], true), likeness[i]) << to_utf8(original[i]);
-    EXPECT_EQ(shown_code(original[i], false), original[i]) << to_utf8(original[i]);
+    EXPECT_EQ(shown_code(original[i], Glyphs::ascii), likeness[i]) << to_utf8(original[i]);
+    EXPECT_EQ(shown_code(original[i], Glyphs::all), original[i]) << to_utf8(original[i]);
   }
 }
 
@@ -49,15 +49,36 @@ TEST(CellText, DEC_01_marks_move_with_the_text_behind_an_arrow) {
 
 TEST(CellText, AnyCodePointIsOneHarmlessCell) {
   for (char32_t code = 0; code < 0x30000; ++code) {
-    const char32_t ascii = shown_code(code, true);
+    const char32_t ascii = shown_code(code, Glyphs::ascii);
     ASSERT_TRUE(ascii >= 0x20 && ascii < 0x7F) << static_cast<std::uint32_t>(code);
-    const char32_t shown = shown_code(code, false);
+    const char32_t shown = shown_code(code, Glyphs::all);
     ASSERT_TRUE(shown >= 0x20 && (shown < 0x7F || shown >= 0xA0)) << static_cast<std::uint32_t>(code);
   }
   for (const char32_t wide_or_combining :
        {U'\u0301', U'\u200B', U'\u202E', U'漢', U'\uFF21', U'\U0001F600', U'\uFEFF'}) {
-    EXPECT_EQ(shown_code(wide_or_combining, false), U'?');
+    EXPECT_EQ(shown_code(wide_or_combining, Glyphs::all), U'?');
   }
+}
+
+/// Blank, then `.` for a thin line or a light shade, `:` for a line down or the darkest shade, `#` for a line across
+/// it.
+TEST(CellText, DEC_37_DotsOfAPictureByTheirDensity) {
+  struct Row {
+    char32_t dots;
+    char likeness;
+  };
+  constexpr Row kRows[] = {{U'\u2800', ' '}, {U'\u2801', '.'}, {U'\u2880', '.'}, {U'\u2809', '.'},
+                           {U'\u28C0', '.'}, {U'\u2807', ':'}, {U'\u2847', ':'}, {U'\u28A5', ':'},
+                           {U'\u280F', ':'}, {U'\u28A7', '#'}, {U'\u28FB', '#'}, {U'\u28FF', '#'}};
+  for (const Row& row : kRows) {
+    EXPECT_EQ(shown_code(row.dots, Glyphs::ascii), static_cast<char32_t>(row.likeness)) << to_utf8(row.dots);
+    EXPECT_EQ(shown_code(row.dots, Glyphs::no_braille), static_cast<char32_t>(row.likeness)) << to_utf8(row.dots);
+    EXPECT_EQ(shown_code(row.dots, Glyphs::all), row.dots);
+  }
+}
+
+TEST(CellText, DEC_37_AConsoleWithoutBrailleKeepsFrameAndUmlauts) {
+  for (const char32_t code : std::u32string_view(U"┌─│□●○↻→ä°a")) EXPECT_EQ(shown_code(code, Glyphs::no_braille), code);
 }
 
 TEST(CellText, TextsFromTheServerAreOneLine) { EXPECT_EQ(printable("a\nb\x1B[2Jc\xC2\x9B"), "a b [2Jc "); }

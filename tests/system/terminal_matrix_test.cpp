@@ -36,6 +36,7 @@ class Terminals : public testing::TestWithParam<Kind> {
                      .rows = rows,
                      .columns = kColumns});
   }
+  void give_part();
   Classroom room_;
 };
 
@@ -77,6 +78,70 @@ TEST_P(Terminals, AsciiDrawsTheSameWithPlusMinusBar) {
   terminal.wait_for("EINGABEMODUS");
   EXPECT_NE(terminal.text().find("->"), std::string::npos) << terminal.text();
   for (const char c : terminal.text()) ASSERT_TRUE(c == '\n' || (c >= ' ' && c <= '~')) << terminal.text();
+}
+
+/// A frame milled round a square pocket, seen from above.
+constexpr const char* kPart =
+    "P0000T001R+5000L+0P0001N001G11F3000S1000T01M03N002G00Z+3000N003G00X-45000Y-25000N004G01Z-8000N005G01X+90000"
+    "N006G01Y+50000N007G01X-90000N008G01Y-50000N009G00Z+8000N010G00X+45000Y+25000%";
+
+void Terminals::give_part() {
+  room_.instructor().must({"program", "send", room_.folder().write("part", kPart).string(), "anna"});
+}
+
+/// Plays it in GRAFIK; monitor rows 3 to 15 without the blanks at their ends.
+std::string played(Terminal& terminal) {
+  constexpr int kFirst = 3, kRows = 13;
+  terminal.wait_for("? alle Tasten");
+  terminal.type("g\rs");
+  terminal.wait_for("P0001 N010 100 %  X-Y ");
+  std::string picture = "\n";
+  for (int row = kFirst; row < kFirst + kRows; ++row) {
+    std::string cells = terminal.row(row);
+    const std::string frame = cells.starts_with("|") ? "|" : "│";
+    cells = cells.substr(frame.size(), cells.find(frame, frame.size()) - frame.size());
+    picture += cells.substr(0, cells.find_last_not_of(' ') + 1) + "\n";
+  }
+  return picture;
+}
+
+/// The workpiece's outline, the slot that the cutter has left, the rapid to its corner, and the cutter.
+constexpr std::string_view kLikeness = R"(
+             :....................................:
+             :                                    :
+             :   .:.:.:.:.:.:.:.:.:.:.:.:.:.::..  :
+             :   .:.. . . . . . . . . . . . .#..  :
+             :   .:.                         #..  :
+             :   .:.          ..:.           #..  :
+             :   .:.          # .#           #..  :
+             :   .:.       .....:.           #..  :
+             :   .:.   ...                   #..  :
+             :   .:..... . . . . . . . . . . #..  :
+             :   .::::::::::::::::::::::::::::..  :
+             :                                    :
+             :....................................:
+)";
+
+TEST_P(Terminals, DEC_37_APictureHasDotsWhereTheTerminalHas) {
+  give_part();
+  Terminal terminal = open(kScreenRows);
+  const std::string picture = played(terminal);
+  EXPECT_TRUE(terminal.row(0).starts_with("┌──"));
+  if (std::string_view(GetParam().term) == "linux") {  // its font has frames and umlauts, but no braille
+    EXPECT_EQ(picture, kLikeness) << terminal.text();
+    return;
+  }
+  EXPECT_NE(picture.find("\u2812\u2812\u2812"), std::string::npos) << terminal.text();
+}
+
+TEST_P(Terminals, DEC_37_APictureIsKnownAgainInAscii) {
+  give_part();
+  {
+    Terminal terminal = open(kScreenRows, {"--ascii"});
+    EXPECT_EQ(played(terminal), kLikeness) << terminal.text();
+  }
+  Terminal terminal = open(kScreenRows, {}, "C");
+  EXPECT_EQ(played(terminal), kLikeness) << terminal.text();
 }
 
 TEST_P(Terminals, KEY_001_TheKeyboardHasTheOriginalsThreeBlocks) {

@@ -12,6 +12,8 @@
 namespace cnclab::testrun {
 namespace {
 
+using testing::Contains;
+using testing::Each;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -98,6 +100,23 @@ TEST_P(Findings, AreToldInWordsWithTheirBlock) {
   EXPECT_EQ(texts_of(run(std::move(order))), GetParam().texts);
 }
 
+TEST(TestRun, AnEndlessProgramIsNeverAllDoneBeforeItsEnd) {
+  TestOrder order = order_of(with_tools("P0001N001G11F1000N002G20P0001N001"));
+  order.most_blocks = 100;
+  auto test = TestRun::begin(std::move(order));
+  ASSERT_TRUE(test);
+  test->advance(50);
+  EXPECT_EQ(test->block().block, 2);
+  EXPECT_LT(test->progress(), 1);
+  test->advance(100);
+  EXPECT_EQ(test->progress(), 1);
+}
+
+TEST(TestRun, AFaultyFirstBlockIsTheOneShown) {
+  const TestRun test = run(order_of(with_tools("P0001N005G01X+1000F9000")));
+  EXPECT_EQ(test.block(), (geometry::SourceBlock{1, 5}));
+}
+
 TEST(TestRun, AnArcThatBulgesBeyondTheSwitchIsFound) {
   const TestRun test = run(order_of(with_tools("P0001N001G11F1000M03N002G01X+200000N003G02X+0Y-120000I+0J-60000")));
   ASSERT_EQ(test.findings().size(), 1u);
@@ -135,6 +154,16 @@ TEST_P(Errors, EndTheRun) {
   EXPECT_EQ(finding.error->code, GetParam().code) << explain(finding, language::Tongue::english);
   EXPECT_EQ(finding.block.block, GetParam().block);
   EXPECT_THAT(explain(finding, language::Tongue::german), HasSubstr("P0001 N00"));
+}
+
+/// A room that is entered from outside: the walls are known only at its end.
+TEST(TestRun, AnEntryThroughAWallIsFound_COMP007) {
+  const TestRun test =
+      run(order_of(with_tools("P0001N001G11F1000T01M03N002G41N003G01Y+20000N004G01X+30000N005G01Y+40000N006G01X-60000"
+                              "N007G01Y-40000N008G01X+30000N009G40N010G01Y+20000")));
+  ASSERT_FALSE(test.findings().empty());
+  EXPECT_EQ(explain(test.findings().front(), language::Tongue::german),
+            "P0001 N003: Einfahren würde in P0001 N008 schneiden. Von der freien Seite anfahren.");
 }
 
 /// A bay behind an opening of 8 mm, and a cutter of 10 mm.
@@ -238,10 +267,29 @@ TEST(TestRun, ALongProgramKeepsWithinFourMegabytesToo) {
   EXPECT_LT(after.uordblks + after.hblkhd - before.uordblks - before.hblkhd, 4U << 20U);
 }
 
+/// A wall of six blocks, then a pocket whose mouth is 8 mm wide, between N010 and N014: too narrow for 10 mm.
+constexpr std::string_view kLongContour =
+    "P0001N001G11F3000T01M03N002G41N003G01X-50000N004G01X+10000N005G01X+10000N006G01X+10000N007G01X+10000N008G01X+10000"
+    "N009G01X+10000N010G01X+40000N011G01Y+20000N012G01X-30000N013G01Y-12000N014G01X-10000N015G40N016G01Y+20000";
+
+TEST(TestRun, AContourTooLongToBeKeptIsCheckedInPartsAndThatIsTold_DEC09) {
+  TestOrder order = order_of(with_tools(kLongContour));
+  order.longest_contour = 8;  // N002 to N009, then N010 to N014
+  const TestRun test = run(std::move(order));
+  EXPECT_THAT(texts_of(test), Contains("P0001 N009: Kontur hat mehr als 8 Sätze: ab hier nur in Teilen geprüft. START "
+                                       "prüft sie ganz."));
+  EXPECT_THAT(texts_of(test), Contains(HasSubstr("P0001 N010: Werkzeug würde in P0001 N014 schneiden")));
+}
+
+TEST(TestRun, AContourThatIsKeptWholeIsNotToldInParts_DEC09) {
+  const TestRun test = run(order_of(with_tools(kLongContour)));
+  EXPECT_THAT(texts_of(test), Each(testing::Not(HasSubstr("in Teilen"))));
+}
+
 /// As above, but under compensation: the contour is kept beside the path, and looked at as a whole.
 TEST(TestRun, ALongCompensatedContourKeepsWithinFourMegabytesAtEveryMoment) {
   TestOrder order =
-      order_of(with_tools("P0001N001G41N002G11F3000T01M03N003G01X-30000N004G02X+0Y+0I+30000J+0N005G20P0001N004"));
+      order_of(with_tools("P0001N001G11F3000T01M03N002G41N003G01X-30000N004G02X+0Y+0I+30000J+0N005G20P0001N004"));
   order.most_blocks = 6000;
   order.travel = {TravelRange{-1e6, 1e6}, TravelRange{-1e6, 1e6}, TravelRange{-1e6, 1e6}};
   const auto used = [] {

@@ -15,11 +15,13 @@ namespace cnclab::panel {
 
 namespace {
 
-/// So many blocks between two looks at whether anybody still wants the result.
-constexpr std::uint64_t kBlocksBetween = 20;
+/// Ways of the first portion, and of the largest: 2 and 20 ms (measured). So the first picture comes at once though
+/// fifteen begin together, and a long program is not held up by its pictures.
+constexpr std::uint64_t kFirstWays = 100, kMostWays = 1000;
 
 GraphicTestView view_of(const testrun::TestRun& test, const drawing::Window& window) {
   return {.canvas = draw_scene(test.scene(), window),
+          .view = window.view,
           .block = test.block(),
           .progress = test.progress(),
           .path_mm = test.path_mm(),
@@ -57,7 +59,7 @@ std::expected<GraphicTest, language::Error> GraphicTest::begin(testrun::TestOrde
 }
 
 GraphicTest::GraphicTest(std::shared_ptr<Shared> shared, LongWork long_work)
-    : shared_(std::move(shared)), long_work_(std::move(long_work)) {}
+    : shared_(std::move(shared)), long_work_(std::move(long_work)), most_ways_(kFirstWays) {}
 
 GraphicTest::~GraphicTest() {
   if (shared_) shared_->is_abandoned = true;
@@ -67,15 +69,15 @@ bool GraphicTest::is_busy() const { return shared_->is_busy.load(std::memory_ord
 
 void GraphicTest::advance(std::uint64_t blocks, const drawing::Window& window) {
   shared_->is_busy.store(true, std::memory_order_relaxed);
-  long_work_([shared = shared_, blocks, window] {
-    for (std::uint64_t left = blocks; left > 0 && !shared->test.has_ended() && !shared->is_abandoned;) {
-      const std::uint64_t portion = std::min(left, kBlocksBetween);
-      shared->test.advance(portion);
-      left -= portion;
-    }
+  long_work_([shared = shared_, blocks, window, ways = most_ways_] {
+    testrun::TestRun& test = shared->test;
+    const std::uint64_t last_way = test.ways() + ways;
+    for (std::uint64_t left = blocks; left > 0 && test.ways() < last_way && !shared->is_abandoned; --left)
+      test.advance(1);
     if (!shared->is_abandoned) shared->view = view_of(shared->test, window);
     shared->is_busy.store(false, std::memory_order_release);
   });
+  if (blocks > 0) most_ways_ = std::min(2 * most_ways_, kMostWays);
 }
 
 void GraphicTest::draw_files(drawing::View view, language::Tongue tongue) {

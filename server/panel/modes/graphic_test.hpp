@@ -22,6 +22,7 @@ namespace cnclab::panel {
 /// What was to be seen when a portion was over.
 struct GraphicTestView {
   drawing::BrailleCanvas canvas;
+  drawing::View view = drawing::View::xy;  ///< from where it is seen on the canvas
   geometry::SourceBlock block;
   double progress = 0;  ///< 0..1
   double path_mm = 0, machine_time_s = 0;
@@ -43,7 +44,7 @@ class GraphicTest {
 
   /// Is a portion under way?
   [[nodiscard]] bool is_busy() const;
-  /// Plays up to so many blocks, 0 only draws; not while busy.
+  /// Plays up to so many blocks, fewer where they are long; 0 only draws. Not while busy.
   void advance(std::uint64_t blocks, const drawing::Window& window);
   /// What the last portion has left to see; once.
   [[nodiscard]] std::optional<GraphicTestView> take_view();
@@ -58,6 +59,7 @@ class GraphicTest {
 
   std::shared_ptr<Shared> shared_;
   LongWork long_work_;
+  std::uint64_t most_ways_;  ///< of the next portion
 };
 
 }  // namespace cnclab::panel

@@ -23,7 +23,7 @@ std::string status_line(const GraphicsMode& mode, language::Tongue tongue) {
   constexpr std::array<std::string_view, 4> kViews{"X-Y", "X-Z", "Y-Z", "X-Y-Z"};
   const GraphicTestView& view = mode.view;
   return fmt::format("P{:04} N{:03} {:>3} %  {:5}  {} {:.3f} mm  {}  {} {}", view.block.program, view.block.block,
-                     percent_text(view.progress), kViews[static_cast<std::size_t>(mode.window.view)],
+                     percent_text(view.progress), kViews[static_cast<std::size_t>(view.view)],
                      text(Text::graphics_way, tongue), view.path_mm, duration_text(view.machine_time_s),
                      text(Text::graphics_findings, tongue), view.findings.size() + view.findings_left_off);
 }

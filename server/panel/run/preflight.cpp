@@ -6,6 +6,7 @@
 
 #include "geometry/contour_check.hpp"
 #include "program/reachable.hpp"
+#include "program/ways.hpp"
 
 namespace cnclab::panel {
 
@@ -22,18 +23,31 @@ bool is_contour(program::RadiusCompensation side) {
   return side == program::RadiusCompensation::left || side == program::RadiusCompensation::right;
 }
 
-/// Contours that were left again: the last one is still open where compensation is in force.
-std::size_t closed_contours(const program::PathSource& source) {
-  const bool is_open = is_contour(source.interpreter().modal().radius) && source.contours_ordered() > 0;
-  return source.contours_ordered() - (is_open ? 1 : 0);
+/// Does the tool still stand beside the contour that was switched off?
+bool awaits_exit(const program::PathSource& source) {
+  const program::ModalState& modal = source.interpreter().modal();
+  if (modal.radius != program::RadiusCompensation::off) return false;
+  const auto [first, second] = program::indices_of(modal.plane).in_plane;
+  return source.compensation_mm()[first] != 0 || source.compensation_mm()[second] != 0;
 }
 
-Preflight::Result play(program::PathSource& source, const std::atomic<bool>& is_abandoned) {
+/// Contours that were left again: the last one is still open where compensation is in force, and until its exit.
+std::size_t closed_contours(const program::PathSource& source) {
+  const bool is_open = is_contour(source.interpreter().modal().radius) || awaits_exit(source);
+  return source.contours_ordered() - (is_open && source.contours_ordered() > 0 ? 1 : 0);
+}
+
+Preflight::Result play(program::PathSource& source, const std::vector<bool>& answers,
+                       const std::atomic<bool>& is_abandoned) {
   Preflight::Result result;
   geometry::ContourCheck check;
+  std::size_t answered = 0;
   std::vector<geometry::PathItem> items;
   for (std::uint64_t blocks = 0; blocks < kMostBlocks && !source.ended() && !is_abandoned; ++blocks) {
-    if (source.interpreter().awaited_input()) break;
+    if (source.interpreter().awaited_input()) {
+      if (answered == answers.size()) break;
+      source.interpreter().answer_input(answers[answered++]);
+    }
     items.clear();
     const auto executed = source.step(items, &check);
     if (!check.findings().empty()) {
@@ -68,7 +82,15 @@ Preflight::Preflight(const LongWork& long_work, program::ProgramSet programs, pr
   long_work([shared = shared_, programs = std::move(programs), settings = std::move(settings),
              start = std::move(start)]() mutable {
     auto source = program::PathSource::begin(std::move(programs), std::move(settings), start);
-    if (source) shared->result = play(*source, shared->is_abandoned);
+    if (source) shared->result = play(*source, {}, shared->is_abandoned);
+    shared->is_done.store(true, std::memory_order_release);
+  });
+}
+
+Preflight::Preflight(const LongWork& long_work, program::PathSource source, std::vector<bool> answers)
+    : shared_(std::make_shared<Shared>()) {
+  long_work([shared = shared_, source = std::move(source), answers = std::move(answers)]() mutable {
+    shared->result = play(source, answers, shared->is_abandoned);
     shared->is_done.store(true, std::memory_order_release);
   });
 }

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "language/error.hpp"
 #include "panel/run/long_work.hpp"
@@ -21,12 +22,14 @@ class Preflight {
   struct Result {
     std::optional<language::Error> error;  ///< the first fault of a contour
     /// Contours found right, counted from START in the order in which the run follows them. Those behind the first
-    /// block that asks for Input 1 are not among them.
+    /// block that asks for Input 1 are not among them, nor is one whose exit lies there.
     std::size_t sound_contours = 0;
   };
 
   /// Begins at once, through `long_work`.
   Preflight(const LongWork& long_work, program::ProgramSet programs, program::Settings settings, program::Start start);
+  /// As before, from where a run stands now; questions for Input 1 are answered as far as the answers go.
+  Preflight(const LongWork& long_work, program::PathSource source, std::vector<bool> answers);
   ~Preflight();  ///< whoever is still at it gives up soon
   Preflight(Preflight&&) noexcept = default;
   Preflight& operator=(Preflight&&) noexcept = default;

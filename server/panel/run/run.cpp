@@ -134,6 +134,7 @@ void Run::go() {
 }
 
 bool Run::prepare_block() {
+  if (scout_ && !scout_->has_looked()) return false;
   if (!answer_input()) return false;
   items_.clear();
   next_item_ = 0;
@@ -142,6 +143,7 @@ bool Run::prepare_block() {
   guard_travel();
   guard_tools();
   if (executed) guard_contours(*executed);
+  scout_contours();
   if (!executed && !failure_) failure_ = executed.error();
   if (!executed) return true;
   const program::Interpreter& interpreter = source_->interpreter();
@@ -159,49 +161,6 @@ void Run::account_for_items() {
     if (item.sequence < records_.front().block.sequence || item.sequence > records_.back().block.sequence) continue;
     records_[static_cast<std::size_t>(item.sequence - records_.front().block.sequence)].path_s = path_s_;
   }
-}
-
-/// On the lab machine nothing follows a contour that nobody has checked as a whole (DEC-09).
-void Run::guard_contours(const program::ExecutedBlock& executed) {
-  if (!connection_.is_lab_machine || failure_ || source_->contours_ordered() <= sound_contours_) return;
-  failure_ = language::Error{.code = language::ErrorCode::contour_unchecked,
-                             .program = executed.source.program,
-                             .block = executed.source.block,
-                             .word = 'G'};
-  std::erase_if(items_, [&executed](const auto& item) { return item.sequence >= executed.sequence; });
-}
-
-/// A block beyond the lab machine's travel does not move at all (AUTH-011): its items are dropped, those before stay.
-void Run::guard_travel() {
-  if (!guard_) return;
-  for (const geometry::PathItem& item : items_) {
-    failure_ = guard_->fault_of(item);
-    if (!failure_) continue;
-    const std::uint64_t sequence = item.sequence;
-    std::erase_if(items_, [sequence](const auto& other) { return other.sequence >= sequence; });
-    return;
-  }
-}
-
-/// Behind the travel: what is left of the items then comes before its fault.
-void Run::guard_tools() {
-  if (auto error = tools_->guard(items_)) failure_ = std::move(error);
-}
-
-/// Input 1 for G21 and G23 as it was two blocks before (D-56). A block that cannot begin because its own end depends on
-/// the answer (a compensated way is held back until the next is known) begins with it: then the input counts now.
-bool Run::answer_input() {
-  program::Interpreter& interpreter = source_->interpreter();
-  const std::optional<std::uint64_t> asked = interpreter.awaited_input();
-  if (!asked) return true;
-  const bool nothing_moves_without = run_ != 0 && seen_.run == run_ && is_path_done();
-  if (*asked == 0 || nothing_moves_without) {
-    interpreter.answer_input(seen_.input_1);
-    return true;
-  }
-  const std::optional<bool> seen = seen_.run == run_ ? machine::input_1_at_start(seen_, *asked) : std::nullopt;
-  if (seen) interpreter.answer_input(*seen);
-  return seen.has_value();
 }
 
 bool Run::is_far_enough_ahead() const {

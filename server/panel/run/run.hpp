@@ -20,6 +20,7 @@
 #include "language/error.hpp"
 #include "machine/channel.hpp"
 #include "panel/connection.hpp"
+#include "panel/run/contour_scout.hpp"
 #include "panel/run/long_work.hpp"
 #include "panel/run/preflight.hpp"
 #include "panel/run/tool_guard.hpp"
@@ -117,7 +118,9 @@ class Run {
   bool prepare_block();
   void account_for_items();
   void guard_contours(const program::ExecutedBlock& executed);
+  void scout_contours();
   [[nodiscard]] bool answer_input();
+  void take_answer(bool input_1);
   void guard_travel();
   void guard_tools();
   void feed();
@@ -140,6 +143,7 @@ class Run {
   std::shared_ptr<const RunOrder> order_;
   std::optional<Preflight> preflight_;  ///< while contours are being checked; nothing has been started then
   std::size_t sound_contours_ = 0;      ///< so many contours, in their order, were found right
+  std::optional<ContourScout> scout_;   ///< of the contour that the run has come to without
   bool is_stopped_in_check_ = false;
   std::optional<program::PathSource> source_;
   std::array<double, 4> steps_per_mm_{};

@@ -1,0 +1,249 @@
+// Entry and exit of a contour: what cuts into a wall is told, what does not is not (COMP-007, DEC-09).
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <numbers>
+#include <string>
+
+#include "geometry/plane_vector.hpp"
+#include "stage_rig.hpp"
+
+namespace {
+
+using namespace rig;
+using Kind = StageFault::Kind;
+
+constexpr int kEntryBlock = 2;
+
+/// A square room of 40 mm, entered in the middle of its lower side; blocks 3 to 7, G40 is 8, the exit 9.
+void room(Part& part) { part.line(40, 0).line(40, 40).line(0, 40).line(0, 0).line(20, 0).off(); }
+
+struct Row {
+  std::string name;
+  void (*program)(Part&);
+  std::optional<Kind> kind;  ///< of the first finding; nothing: none at all
+  int block = 0, other = 0;
+};
+
+std::vector<Row> rows() {
+  return {
+      {"inside, from inside", [](Part& p) { room(p.from(20, 20).left(5).line(20, 0)); }, {}},
+      {"inside, from outside", [](Part& p) { room(p.from(20, -20).left(5).line(20, 0)); }, Kind::entry_too_close, 2, 7},
+      {"inside, from outside through the far wall", [](Part& p) { room(p.from(20, 60).left(5).line(20, 0)); },
+       Kind::entry_too_close, 2, 5},
+      {"inside, from outside, set down too near", [](Part& p) { room(p.from(36, 20).left(5).line(20, 0)); },
+       Kind::entry_too_close, 2, 4},
+      {"inside, from outside, above the walls",
+       [](Part& p) { room(p.from(20, -20, 3).left(5).line(20, 0).normal(0)); },
+       {}},
+      {"inside, from outside, falling all the way",
+       [](Part& p) { room(p.from(20, -20, 3).left(5).line(20, 0, 0)); },
+       {}},
+      {"inside, from outside, below the walls",
+       [](Part& p) { room(p.from(20, -20, -3).left(5).line(20, 0).normal(0)); }, Kind::entry_too_close, 2, 8},
+      {"outside, from outside", [](Part& p) { room(p.from(20, -20).right(5).line(20, 0)); }, {}},
+      {"outside, from inside", [](Part& p) { room(p.from(20, 20).right(5).line(20, 0)); }, Kind::entry_too_close, 2, 7},
+      {"outside, along the first wall's own line: its corner is brushed",
+       [](Part& p) { p.from(-20, 0).right(5).line(0, 0).line(40, 0).line(40, 40).line(0, 40).line(0, 0); },
+       {}},
+      {"outside, along the last wall: it is cut",
+       [](Part& p) { p.from(0, 20).right(5).line(0, 0).line(40, 0).line(40, 40).line(0, 40).line(0, 0); },
+       Kind::entry_too_close, 2, 6},
+      {"open, across its own beginning",
+       [](Part& p) { p.from(0, 0).right(5).line(20, 0).line(20, 30).off().line(0, 30); },
+       {}},
+      {"open, across its first wall",
+       [](Part& p) { p.from(0, 20).right(5).line(20, 0).line(20, 30).off().line(40, 30); }, Kind::entry_too_close, 2,
+       3},
+      {"outside, square to the wall at a corner",
+       [](Part& p) { p.from(0, -20).right(5).line(0, 0).line(40, 0).line(40, 40).line(0, 40).line(0, 0); },
+       {}},
+      {"left to the inside", [](Part& p) { room(p.from(20, 20).left(5).line(20, 0)), p.line(20, 20); }, {}},
+      {"left through a wall", [](Part& p) { room(p.from(20, 20).left(5).line(20, 0)), p.line(20, -20); },
+       Kind::exit_too_close, 9, 3},
+      {"left above the walls",
+       [](Part& p) { room(p.from(20, 20).left(5).line(20, 0)), p.normal(3).line(20, -20); },
+       {}},
+      {"left rising all the way", [](Part& p) { room(p.from(20, 20).left(5).line(20, 0)), p.line(20, -20, 3); }, {}},
+      {"left onto the contour itself",
+       [](Part& p) { room(p.from(20, 20).left(5).line(20, 0)), p.line(20, 0).named(3); }, Kind::exit_too_close, 9, 3},
+      {"round pocket, from its middle",
+       [](Part& p) { p.from(0, 0).left(5).line(20, 0).ccw(20, 0, 0, 0).off().line(0, 0); },
+       {}},
+      {"round pocket, from outside",
+       [](Part& p) { p.from(40, 0).left(5).line(20, 0).ccw(20, 0, 0, 0).off().line(0, 0); }, Kind::entry_too_close, 2,
+       3},
+      {"round pocket, left to the outside",
+       [](Part& p) { p.from(0, 0).left(5).line(20, 0).ccw(20, 0, 0, 0).off().line(40, 0); }, Kind::exit_too_close, 5,
+       3},
+      {"round boss, from outside",
+       [](Part& p) { p.from(40, 0).right(5).line(20, 0).ccw(20, 0, 0, 0).off().line(40, 0); },
+       {}},
+      {"another contour's wall is no matter of this exit",
+       [](Part& p) {
+         room(p.from(20, 20).left(5).line(20, 0)), p.line(20, 20);
+         p.normal(9).line(100, 20).normal(0).left(5).line(100, 0).off().line(20, 0);
+       },
+       {}},
+  };
+}
+
+TEST(Entries, AreToldWhereTheyCutIntoAWallInEveryPlane_COMP007) {
+  for (const Plane plane : {Plane::xy, Plane::xz, Plane::yz}) {
+    for (const Row& row : rows()) {
+      Part part(plane);
+      row.program(part);
+      const Outcome outcome = run(part);
+      ASSERT_FALSE(outcome.fault) << row.name;
+      ASSERT_EQ(outcome.gouges.empty(), !row.kind) << row.name;
+      if (!row.kind) continue;
+      EXPECT_EQ(outcome.gouges.front().kind, *row.kind) << row.name;
+      EXPECT_EQ(outcome.gouges.front().block.block, row.block) << row.name;
+      EXPECT_TRUE(std::ranges::any_of(outcome.gouges, [&](const StageFault& fault) {
+        return fault.kind == *row.kind && fault.other.block == row.other;
+      })) << row.name;
+    }
+  }
+}
+
+/// The chain's first part has the entry's walls; the last, those of its end.
+TEST(Entries, OfAContourCheckedInPartsAreLookedAtInEach_COMP007) {
+  ContourCheck check;
+  check.begin(Plane::xy, 5, {1, 2}, {.from = {20, 60}, .to = {20, 5}});
+  check.add_contour({1, 3}, Line{.from = {20, 0}, .to = {40, 0}});
+  check.split();
+  EXPECT_TRUE(check.findings().empty());
+  check.add_contour({1, 4}, Line{.from = {40, 40}, .to = {0, 40}});
+  check.end();
+  ASSERT_EQ(check.findings().size(), 1U);
+  EXPECT_EQ(check.findings()[0].other.block, 4);
+  EXPECT_EQ(check.findings()[0].found_mm, 0);
+  check.add_exit({1, 6}, {.from = {0, 35}, .to = {20, 60}});
+  EXPECT_EQ(check.findings().back().kind, Kind::exit_too_close);
+}
+
+// ---- any polygon, any start -------------------------------------------------------------------------------------
+
+/// The same cases in every run; RC_PARAMS in the environment asks for others.
+const bool kSeeded = setenv("RC_PARAMS", "seed=3300 max_success=300", 0) == 0;
+
+/// Corners by their angle about the middle, counterclockwise: convex or not, but never crossing itself.
+struct Case {
+  std::vector<PlaneVector> corners;
+  PlaneVector start, leave;
+  double radius = 0;
+  bool is_inside = false;  ///< compensation
+};
+
+std::string words_of(const Case& c) {
+  const auto place = [](PlaneVector at) {
+    return "(" + std::to_string(at.first) + ", " + std::to_string(at.second) + ")";
+  };
+  std::string words = std::string(c.is_inside ? "inside" : "outside") + ", R " + std::to_string(c.radius) + ", from " +
+                      place(c.start) + " to " + place(c.leave) + ", corners";
+  for (const PlaneVector& corner : c.corners) words += " " + place(corner);
+  return words;
+}
+
+PlaneVector at_angle(double turns, double distance) {
+  return {distance * std::cos(2 * std::numbers::pi * turns), distance * std::sin(2 * std::numbers::pi * turns)};
+}
+
+Case any_case() {
+  const auto number = [](int least, int most) {
+    return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(least, most + 1));
+  };
+  Case made;
+  const int count = number(3, 9);
+  for (int i = 0; i < count; ++i)
+    made.corners.push_back(at_angle((i + number(-300, 300) / 1000.0) / count, number(25'000, 60'000) / 1000.0));
+  made.start = at_angle(number(0, 1000) / 1000.0, number(0, 90'000) / 1000.0);
+  made.leave = at_angle(number(0, 1000) / 1000.0, number(0, 90'000) / 1000.0);
+  made.radius = number(300, 5'000) / 1000.0;
+  made.is_inside = *rc::gen::arbitrary<bool>();
+  return made;
+}
+
+/// The corners, with the middle of the first side as beginning and end.
+std::vector<PlaneVector> outline_of(const Case& c) {
+  const PlaneVector middle = between(c.corners[0], c.corners[1], 0.5);
+  std::vector<PlaneVector> outline{middle};
+  outline.insert(outline.end(), c.corners.begin() + 1, c.corners.end());
+  outline.push_back(c.corners[0]);
+  outline.push_back(middle);
+  return outline;
+}
+
+double distance_to_side(PlaneVector point, PlaneVector a, PlaneVector b) {
+  const PlaneVector way = b - a;
+  const double t = std::clamp(dot(point - a, way) / dot(way, way), 0.0, 1.0);
+  return size(point - a - way * t);
+}
+
+/// How near the cutter's centre comes to any side, by many steps along its way; at the corner where the contour begins
+/// it may come twice as near.
+double nearest(PlaneVector from, PlaneVector to, const std::vector<PlaneVector>& outline, double radius) {
+  constexpr int kSteps = 4000;
+  double least = 1e9;
+  for (std::size_t side = 1; side < outline.size(); ++side) {
+    double of_side = 1e9, of_corner = 1e9;
+    for (int step = 0; step <= kSteps; ++step) {
+      const PlaneVector centre = between(from, to, static_cast<double>(step) / kSteps);
+      of_side = std::min(of_side, distance_to_side(centre, outline[side - 1], outline[side]));
+      of_corner = std::min(of_corner, size(centre - outline.front()));
+    }
+    const bool has_corner = distance_to_side(outline.front(), outline[side - 1], outline[side]) < radius;
+    const bool is_at_corner = has_corner && of_corner < of_side + 0.001;
+    least = std::min(least, is_at_corner ? 2 * of_side : of_side);
+  }
+  return least;
+}
+
+bool is_within(PlaneVector point, const std::vector<PlaneVector>& outline) {
+  bool inside = false;
+  for (std::size_t i = 1; i < outline.size(); ++i) {
+    const PlaneVector a = outline[i - 1], b = outline[i];
+    if ((a.second > point.second) == (b.second > point.second)) continue;
+    if (point.first < a.first + (b.first - a.first) * (point.second - a.second) / (b.second - a.second))
+      inside = !inside;
+  }
+  return inside;
+}
+
+/// Told where the cutter cuts by more than the steps of the slow look hide, and nowhere else.
+void assert_told(bool is_told, double found, double radius) {
+  constexpr double kStep = 0.05, kMicrometre = 0.001;
+  if (found < radius - kStep) RC_ASSERT(is_told);
+  if (found > radius - kMicrometre / 2) RC_ASSERT(!is_told);
+}
+
+RC_GTEST_PROP(Entries, OfAnyPolygonAreToldExactlyWhereTheyCut_COMP007, ()) {
+  RC_PRE(kSeeded);
+  const Case c = any_case();
+  RC_LOG(words_of(c));
+  const std::vector<PlaneVector> outline = outline_of(c);
+  Part part;
+  part.from(c.start.first, c.start.second).radius(c.is_inside ? OffsetSide::left : OffsetSide::right, c.radius);
+  for (const PlaneVector& place : outline) part.line(place.first, place.second);
+  part.off().line(c.leave.first, c.leave.second);
+  const Outcome outcome = run(part);
+  RC_PRE(!outcome.fault);  // a corner too narrow for the tool ends it earlier
+
+  const PlaneVector along = outline[1] - outline[0];
+  const PlaneVector side = (c.is_inside ? left_of(along) : right_of(along)) * (c.radius / size(along));
+  const PlaneVector beside = outline[0] + side;
+  const auto is_told = [&](Kind kind) { return std::ranges::count(outcome.gouges, kind, &StageFault::kind) > 0; };
+  const bool is_free = outcome.gouges.size() < ContourCheck::kMostFindings;  // else some were left off
+  RC_PRE(is_free);
+  assert_told(is_told(Kind::entry_too_close), nearest(c.start, beside, outline, c.radius), c.radius);
+  assert_told(is_told(Kind::exit_too_close), nearest(beside, c.leave, outline, c.radius), c.radius);
+  const bool is_through = is_within(c.start, outline) != is_within(beside, outline);
+  if (is_through) RC_ASSERT(is_told(Kind::entry_too_close));
+  RC_TAG(std::string(is_through ? "through a wall" : is_told(Kind::entry_too_close) ? "brushed" : "free"));
+  for (const StageFault& fault : outcome.gouges)
+    if (fault.kind == Kind::entry_too_close) RC_ASSERT(fault.block.block == kEntryBlock);
+}
+
+}  // namespace
