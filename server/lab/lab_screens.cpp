@@ -11,6 +11,7 @@ namespace cnclab::lab {
 namespace {
 constexpr std::int64_t kRefresh_ns = 50'000'000;
 constexpr std::size_t kMostErrors = 99;
+constexpr int kMiddleRow = 11;
 
 /// What binds a computer to a seat is for the student who sits there, not for those who see the screen elsewhere.
 void hide(Screen& screen, const std::string& token) {
@@ -96,6 +97,23 @@ void Lab::push(const VisitPtr& visit) {
 
 void Lab::everybody_changed() {
   for (const DeskPtr& desk : seats_.all()) desk->is_dirty = true;
+  show_empty_seats();
+}
+
+void Lab::show_empty_seats() {
+  for (const VisitPtr& visit : visits_) {
+    const bool looks = visit->stage == Stage::looking_on || visit->stage == Stage::at_console;
+    if (!looks || visit->watched_station == 0) continue;
+    const auto sits_there = [&](const DeskPtr& desk) { return desk->station == visit->watched_station; };
+    if (std::ranges::any_of(seats_.all(), sits_there)) continue;
+    const auto tongue = tongue_of(visit->person);
+    View empty;
+    empty.screen.write(kMiddleRow, 2,
+                       say(tongue, "An Platz ", "Nobody is logged in at station ") +
+                           std::to_string(visit->watched_station) + say(tongue, " ist niemand angemeldet.", "."));
+    visit->feed.offer(empty, 0);
+    push(visit);
+  }
 }
 
 panel::SideView Lab::side_view(const Desk& desk, std::int64_t now_ns) const {
