@@ -77,7 +77,11 @@ std::expected<std::filesystem::path, OpenError> restore_database(const std::file
   if (!lock) return std::unexpected(lock_error(file, lock.error()));
   if (!std::filesystem::exists(from))
     return std::unexpected(OpenError{OpenError::Kind::other, from.string() + ": no such file. Name a backup."});
-  if (auto error = inspect(from)) return std::unexpected(std::move(*error));
+  if (auto error = inspect(from)) {
+    if (error->kind == OpenError::Kind::damaged)  // its remedy would be another backup
+      error->text = from.string() + ": is damaged, or no backup of a lab. Nothing was changed. Name another backup.";
+    return std::unexpected(std::move(*error));
+  }
   // Copied first and renamed last: whatever fails before leaves the old database in its place.
   const std::filesystem::path incoming = file.string() + ".incoming";
   if (auto copied = copy_database(from, incoming); !copied) return std::unexpected(std::move(copied.error()));

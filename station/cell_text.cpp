@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <optional>
 #include <utility>
-
-#include "shared/screen.hpp"
 
 namespace cnclab::station {
 namespace {
@@ -96,7 +95,37 @@ char32_t ascii_likeness(char32_t code) {
   return found == kLikenesses.end() ? U'?' : static_cast<char32_t>(found->second);
 }
 
+bool is_frame(char32_t code) { return code >= 0x2500 && code < 0x2580; }
+
+// Where the text behind an arrow ends: a blank column that it may take, followed by another or by the field's end.
+std::optional<int> room_behind(const Screen& screen, int row, int arrow) {
+  for (int column = arrow + 1; column < Screen::kColumns; ++column) {
+    const char32_t code = screen.at(row, column).code;
+    if (is_frame(code)) return std::nullopt;
+    if (code != U' ') continue;
+    const bool is_last = column + 1 == Screen::kColumns;
+    const char32_t next = is_last ? U' ' : screen.at(row, column + 1).code;
+    if (next == U' ' || is_frame(next)) return column;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
+
+Screen with_wide_arrows(Screen screen) {
+  for (int row = 0; row < Screen::kRows; ++row) {
+    for (int column = 0; column < Screen::kColumns; ++column) {
+      const Cell arrow = screen.at(row, column);
+      if (arrow.code != U'→') continue;
+      const auto room = room_behind(screen, row, column);
+      if (!room) continue;
+      for (int to = *room; to > column + 1; --to) screen.put(row, to, screen.at(row, to - 1));
+      screen.put(row, column, {U'-', arrow.attribute});
+      screen.put(row, ++column, {U'>', arrow.attribute});
+    }
+  }
+  return screen;
+}
 
 char32_t shown_code(char32_t code, Glyphs glyphs) {
   if (is_control(code)) return U'?';

@@ -21,7 +21,8 @@ constexpr Text kOnlyLook{"error nur zusehen: diese Anmeldung darf keine Tasten d
 
 }  // namespace
 
-std::string screen_reply(const Screen& screen, bool is_ascii) {
+std::string screen_reply(const Screen& stands, bool is_ascii) {
+  const Screen screen = is_ascii ? with_wide_arrows(stands) : stands;
   std::string reply;
   for (int row = 0; row < Screen::kRows; ++row) {
     reply += '|';
@@ -32,7 +33,8 @@ std::string screen_reply(const Screen& screen, bool is_ascii) {
   return reply + "end\n";
 }
 
-std::string marks_reply(const Screen& screen) {
+std::string marks_reply(const Screen& stands, bool is_ascii) {
+  const Screen screen = is_ascii ? with_wide_arrows(stands) : stands;
   std::string reply;
   for (int row = 0; row < Screen::kRows; ++row) {
     for (int column = 0; column < Screen::kColumns;) {
@@ -102,7 +104,7 @@ asio::awaitable<std::string> Headless::reply_to(HeadlessCommand command) {
   if (auto* const c = std::get_if<WaitCommand>(&command)) co_return co_await wait_for(*c);
   if (!session_.is_online()) co_return kOffline;
   if (std::holds_alternative<ScreenCommand>(command)) co_return screen_reply(session_.screen(), is_ascii_);
-  if (std::holds_alternative<MarksCommand>(command)) co_return marks_reply(session_.screen());
+  if (std::holds_alternative<MarksCommand>(command)) co_return marks_reply(session_.screen(), is_ascii_);
   if (auto* const c = std::get_if<PressCommand>(&command)) co_return co_await press(c->chords);
   if (auto* const c = std::get_if<HoldCommand>(&command)) co_return co_await hold(*c);
   if (auto* const c = std::get_if<PotCommand>(&command)) co_return co_await turn(c->percent);

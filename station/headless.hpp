@@ -16,7 +16,7 @@ namespace cnclab::station {
 /// What `screen` prints: 24 lines `|` + 80 columns + `|`, then `end`.
 [[nodiscard]] std::string screen_reply(const Screen& screen, bool is_ascii);
 /// What `marks` prints: `ROW COL LENGTH` of each stretch of inverse cells, then `end`.
-[[nodiscard]] std::string marks_reply(const Screen& screen);
+[[nodiscard]] std::string marks_reply(const Screen& screen, bool is_ascii);
 /// TEXT stands in one row of the screen.
 [[nodiscard]] bool contains(const Screen& screen, const std::string& text);
 

@@ -54,12 +54,18 @@ class Words {
   Language language_;
 };
 
+std::unexpected<std::string> no_chord(const Words& words, std::string_view name) {
+  return keys_of(name).empty()
+             ? words.wrong("unbekannte Taste {}", "unknown key {}", name)
+             : words.wrong("höchstens drei Tasten zugleich, nicht {}", "at most three keys at once, not {}", name);
+}
+
 Parsed parse_key(Words& words) {
   PressCommand command;
   while (!words.is_empty()) {
     const std::string_view name = words.next();
     command.chords.push_back(chord_of(name));
-    if (command.chords.back().empty()) return words.wrong("unbekannte Taste {}", "unknown key {}", name);
+    if (command.chords.back().empty()) return no_chord(words, name);
   }
   if (command.chords.empty()) return words.wrong("key NAME [NAME…]", "key NAME [NAME…]");
   return command;
@@ -71,7 +77,7 @@ Parsed parse_hold(Words& words) {
     return words.wrong("hold MS NAME[+NAME…], MS von 0 bis 600000", "hold MS NAME[+NAME…], MS 0 to 600000");
   const std::string_view name = words.next();
   const Chord chord = chord_of(name);
-  if (chord.empty()) return words.wrong("unbekannte Taste {}", "unknown key {}", name);
+  if (chord.empty()) return no_chord(words, name);
   if (!words.is_empty()) return words.wrong("hold MS NAME[+NAME…]", "hold MS NAME[+NAME…]");
   return HoldCommand{std::chrono::milliseconds(*duration_ms), chord};
 }

@@ -3,6 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "station/utf8.hpp"
+
 namespace cnclab::station {
 namespace {
 
@@ -58,6 +60,7 @@ std::expected<Options, Ending> checked(const Raw& raw) {
   options.observe = StationId::of(raw.observe);
   options.user = raw.user;
   if (raw.user.size() > 32) return usage("--user: at most 32 bytes");
+  if (line_not_utf8(raw.user)) return usage("--user: " + std::string(kNotUtf8Typed.in(language_of_locale())));
   options.password_file = path_or_none(raw.password_file);
   options.new_password_file = path_or_none(raw.new_password_file);
   if (!raw.media.empty())

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "station/options.hpp"
+#include "station/utf8.hpp"
 
 namespace cnclab::station {
 namespace {
@@ -70,6 +71,7 @@ std::expected<std::string, Ending> read_password(const std::filesystem::path& fi
                     "the first line must be the password, 1 to 256 bytes"},
                    file.string());
   }
+  if (line_not_utf8(password)) return refused(kNotUtf8, file.string() + ":1");
   return password;
 }
 
@@ -84,6 +86,7 @@ std::expected<std::string, Ending> ask_password(const std::string& prompt) {
   auto password = terminal.line();
   terminal.say("\n");
   if (!password) return std::unexpected(Ending{ExitCode::ended_by_user, ""});
+  if (line_not_utf8(*password)) return refused(kNotUtf8Typed, prompt);
   return std::move(*password);
 }
 

@@ -171,7 +171,8 @@ bool Terminal::is_hung_up() const {
 
 void Terminal::clear() { ::werase(stdscr); }
 
-void Terminal::draw(const Screen& screen) {
+void Terminal::draw(const Screen& stands) {
+  const Screen screen = glyphs_ == Glyphs::ascii ? with_wide_arrows(stands) : stands;
   std::string text;
   for (int row = 0; row < Screen::kRows; ++row) {
     for (int column = 0, start = 0; column < Screen::kColumns; ++column) {
@@ -187,8 +188,11 @@ void Terminal::draw(const Screen& screen) {
 }
 
 void Terminal::write(int row, int column, std::string_view utf8, Attribute attribute, Colour colour) {
+  std::u32string codes = from_utf8(utf8);
+  if (glyphs_ == Glyphs::ascii)  // as `with_wide_arrows`, for a key's cap
+    for (auto at = codes.find(U"→ "); at != std::u32string::npos; at = codes.find(U"→ ")) codes.replace(at, 2, U"->");
   std::wstring text;
-  for (const char32_t code : from_utf8(utf8)) text += static_cast<wchar_t>(shown_code(code, glyphs_));
+  for (const char32_t code : codes) text += static_cast<wchar_t>(shown_code(code, glyphs_));
   const auto pair = static_cast<short>(has_colour_ ? static_cast<int>(colour) : 0);
   ::wattr_set(stdscr, curses_attribute(attribute), pair, nullptr);
   ::mvwaddnwstr(stdscr, row, column, text.c_str(), static_cast<int>(text.size()));

@@ -5,6 +5,7 @@
 
 namespace cnclab::lab {
 
+using language::Tongue;
 using machine::StopCause;
 
 namespace {
@@ -26,7 +27,15 @@ Refuse locked_at(int station) {
   return {"Die Tastatur von Platz " + number + " ist gesperrt.", "The keyboard of station " + number + " is locked."};
 }
 
+std::string at_station(const std::string& who, int station, language::Tongue tongue) {
+  if (station == 0) return who;
+  const char* place = tongue == language::Tongue::german ? "Platz " : "station ";
+  return place + std::to_string(station) + ", " + who;
+}
+
 }  // namespace
+
+std::string Authority::halted_by(language::Tongue tongue) const { return at_station(halted_by_, halted_at_, tongue); }
 
 const Authority::Table& Authority::table() {
   using A = Authority;
@@ -185,8 +194,9 @@ void Authority::halt(const Step& step) {
     halted_ = true;
     halted_login_ = press.login;
     halted_by_ = press.who;
+    halted_at_ = press.station;
   }
-  journal(step, "halt", press.who, selected(), newest_);
+  journal(step, "halt", at_station(press.who, press.station, Tongue::english), selected(), newest_);
 }
 
 void Authority::clear_halt(const Step& step) {
@@ -194,14 +204,15 @@ void Authority::clear_halt(const Step& step) {
   if (!halted_) return;
   if (login != kNoLogin && login != halted_login_) {
     step.actions.emplace_back(
-        Refuse{"MASCHINE HALT löst nur, wer gedrückt hat (" + halted_by_ + "), oder die Lehrkraft.",
-               "MASCHINE HALT is released by " + halted_by_ + " or the instructor only."});
+        Refuse{"MASCHINE HALT löst nur, wer gedrückt hat (" + halted_by(Tongue::german) + "), oder die Lehrkraft.",
+               "MASCHINE HALT is released by " + halted_by(Tongue::english) + " or the instructor only."});
     return;
   }
-  journal(step, "halt_cleared", halted_by_, selected(), newest_);
+  journal(step, "halt_cleared", halted_by(Tongue::english), selected(), newest_);
   halted_ = false;
   halted_login_ = kNoLogin;
   halted_by_.clear();
+  halted_at_ = 0;
   step.actions.emplace_back(Latch{false});
 }
 

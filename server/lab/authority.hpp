@@ -18,6 +18,7 @@
 #include <variant>
 #include <vector>
 
+#include "language/units.hpp"
 #include "machine/channel.hpp"
 
 namespace cnclab::lab {
@@ -75,6 +76,7 @@ struct Heard {
 struct HaltPressed {
   LoginId login{};
   std::string who;
+  int station = 0;  ///< where it was pressed; 0: at no station
 };  ///< kNoLogin: the instructor
 struct HaltCleared {
   LoginId login{};
@@ -149,7 +151,11 @@ class Authority {
   [[nodiscard]] Epoch newest() const { return newest_; }
   [[nodiscard]] bool is_halted() const { return halted_; }
   [[nodiscard]] LoginId halted_by_login() const { return halted_login_; }
+  /// Who holds the halt, empty if nobody, and where it was pressed: 0 at no station.
   [[nodiscard]] const std::string& halted_by() const { return halted_by_; }
+  [[nodiscard]] int halted_at() const { return halted_at_; }
+  /// Both in words: "Platz 2, otto", "station 2, otto", "lehrer".
+  [[nodiscard]] std::string halted_by(language::Tongue tongue) const;
   [[nodiscard]] bool is_powered() const { return powered_; }
 
  private:
@@ -213,6 +219,7 @@ class Authority {
   bool halted_ = false;
   LoginId halted_login_ = kNoLogin;
   std::string halted_by_;
+  int halted_at_ = 0;
   bool powered_ = true;
 };
 

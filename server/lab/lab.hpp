@@ -142,6 +142,7 @@ class Lab {
 
   // lab_password.cpp
   void change_password(const VisitPtr& visit, const v1::ChangePassword& change);
+  void refuse_same_password(const VisitPtr& visit) const;
   void change_expired_password(const VisitPtr& visit, const std::string& wish);
   void change_own_password(const VisitPtr& visit, const v1::ChangePassword& change);
   void keep_password(const VisitPtr& visit, const std::string& wish, std::function<void()> kept);
@@ -228,6 +229,8 @@ class Lab {
   void draw(const DeskPtr& desk, std::int64_t now_ns);
   void present(const DeskPtr& desk, int beeps);
   void push(const VisitPtr& visit);
+  /// Who watches a seat at which nobody is any more, or yet, is told so instead of an old screen.
+  void show_empty_seats();
   void everybody_changed();
   [[nodiscard]] panel::SideView side_view(const Desk& desk, std::int64_t now_ns) const;
   /// The clocks as this control has them (DEC-10).

@@ -11,11 +11,11 @@ namespace cnclab::lab {
 std::optional<std::string> Lab::bar(const Desk& desk) const {
   const auto tongue = tongue_of(desk.person);
   if (!desk.taken_by.empty())
-    return desk.taken_by + say(tongue, " hat diese Tastatur übernommen. STOP und MASCHINE HALT wirken auch von hier.",
-                               " has taken this keyboard over. STOP and MASCHINE HALT still act from here.");
+    return desk.taken_by + say(tongue, " hat diese Tastatur übernommen: nur STOP und MASCHINE HALT wirken.",
+                               " has taken this keyboard over: only STOP and MASCHINE HALT act.");
   if (desk.is_locked)
-    return say(tongue, "Die Lehrkraft hat die Tastatur gesperrt. STOP und MASCHINE HALT wirken.",
-               "The instructor has locked the keyboard. STOP and MASCHINE HALT still act.");
+    return say(tongue, "Die Lehrkraft hat die Tastatur gesperrt: nur STOP und MASCHINE HALT wirken.",
+               "The instructor has locked the keyboard: only STOP and MASCHINE HALT act.");
   if (shown_to(desk))
     return say(tongue, "Während ein Bild allen gezeigt wird, wirken hier nur STOP und MASCHINE HALT.",
                "While a screen is shown to all, only STOP and MASCHINE HALT act here.");

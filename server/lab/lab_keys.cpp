@@ -68,14 +68,10 @@ void Lab::take_input(const VisitPtr& visit, Input input) {
     journal_.write("key", by_console ? desk->last_key + " (" + visit->person.name + ")" : desk->last_key, desk->station,
                    desk->person.name);
   }
-  if (take_urgent(desk, input)) {
-    // Acts whatever else holds.
-  } else if (const auto why = bar(*desk); why && !by_console && (input.pressed || input.keys.empty())) {
-    note(*desk, *why);
-  } else {
-    if (desk->waiting.size() >= kMostWaiting) {
-      return hang_up(visit, "too many keys waiting");
-    }
+  const bool lets_go = !input.pressed && !input.keys.empty();  // of a key that was held when the keyboard was barred
+  const bool acts = by_console || lets_go || !bar(*desk);
+  if (!take_urgent(desk, input) && acts) {
+    if (desk->waiting.size() >= kMostWaiting) return hang_up(visit, "too many keys waiting");
     desk->waiting.push_back(std::move(input));
   }
   pump(desk);
@@ -85,17 +81,22 @@ void Lab::take_input(const VisitPtr& visit, Input input) {
 bool Lab::take_urgent(const DeskPtr& desk, const Input& input) {
   if (!input.pressed || input.keys.size() != 1) return false;
   if (input.keys.front() == Key::STOP) {
-    static_cast<void>(decide(Decline{desk->login}, tongue_of(desk->person)));
+    const auto tongue = tongue_of(desk->person);
+    const bool declines = desk->login != kNoLogin && authority_.asked() == desk->login;
+    static_cast<void>(decide(Decline{desk->login}, tongue));
     outcome(desk, desk->control.press(Key::STOP, now(*desk)), input.number);
+    if (declines) {
+      desk->control.drop_hint();
+      note(*desk, say(tongue, "Die Maschine ist abgelehnt.", "The machine is declined."));
+    }
     return true;
   }
   if (input.keys.front() == Key::MASCHINE_HALT) {
     if (input.is_repeat) return true;
     const auto tongue = tongue_of(desk->person);
-    const std::string who =
-        say(tongue, "Platz ", "station ") + std::to_string(desk->station) + ", " + desk->person.name;
+    const HaltPressed press{desk->login, desk->person.name, desk->station};
     const bool release = authority_.is_halted() && authority_.halted_by_login() == desk->login;
-    note(*desk, release ? decide(HaltCleared{desk->login}, tongue) : decide(HaltPressed{desk->login, who}, tongue));
+    note(*desk, release ? decide(HaltCleared{desk->login}, tongue) : decide(press, tongue));
     return true;
   }
   return false;
@@ -145,7 +146,7 @@ void Lab::start_pressed(const DeskPtr& desk, const Input& input) {
   if (desk->on_lab_machine && authority_.is_halted())
     return note(*desk,
                 say(tongue_of(desk->person), "MASCHINE HALT ist gedrückt von ", "MASCHINE HALT was pressed by ") +
-                    authority_.halted_by() +
+                    authority_.halted_by(tongue_of(desk->person)) +
                     say(tongue_of(desk->person), ": erst lösen, dann START.", ": release it, then START."));
   if (desk->on_lab_machine && !is_fresh(*desk, input)) {
     journal_.write("start_refused", "pressed before the present situation was seen", desk->station, desk->person.name,
@@ -169,8 +170,11 @@ void Lab::outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t num
   if (outcome.media) order_media(desk, std::move(*outcome.media), MediaOrder::From::control);
   if (outcome.picture) order_media(desk, std::move(*outcome.picture), MediaOrder::From::hardcopy);
   if (outcome.mode_changed) save_state(desk);
-  if (outcome.was_reset && desk->on_lab_machine)  // DEC-39
-    static_cast<void>(decide(Deprived{desk->login, "RESET"}, tongue_of(desk->person)));
+  if (outcome.was_reset && desk->on_lab_machine) {  // DEC-39
+    const auto tongue = tongue_of(desk->person);
+    static_cast<void>(decide(Deprived{desk->login, "RESET"}, tongue));
+    note(*desk, say(tongue, "RESET hat die Maschine abgegeben.", "RESET has given the machine back."));
+  }
   if (outcome.remote_start) judge_remote_start(desk, *outcome.remote_start);
   if (!desk->switching && desk->control.awaits_machine()) desk->switching = number;
   record_run(desk);  // a run that begins now is recorded with the versions that the store has now

@@ -25,10 +25,23 @@ void Lab::change_password(const VisitPtr& visit, const v1::ChangePassword& chang
   change_own_password(visit, change);
 }
 
+void Lab::refuse_same_password(const VisitPtr& visit) const {
+  answer_password(visit, v1::LOGIN_RESULT_PASSWORD_WEAK,
+                  say(tongue_of(visit->person), "Das neue Passwort muss ein anderes sein als das alte.",
+                      "The new password must differ from the old one."));
+}
+
 void Lab::change_expired_password(const VisitPtr& visit, const std::string& wish) {
   visit->stage = Stage::checking;
-  keep_password(visit, wish, [this, visit] {
-    if (visit->stage == Stage::checking) admit(visit);
+  passwords_.verify(wish, visit->person.password_hash, [this, visit, wish, alive = alive_](bool is_same) {
+    if (!*alive || visit->stage != Stage::checking) return;
+    if (is_same) {
+      visit->stage = Stage::new_password;
+      return refuse_same_password(visit);
+    }
+    keep_password(visit, wish, [this, visit] {
+      if (visit->stage == Stage::checking) admit(visit);
+    });
   });
 }
 
@@ -36,6 +49,7 @@ void Lab::change_own_password(const VisitPtr& visit, const v1::ChangePassword& c
   const std::string& name = visit->person.name;
   const auto tongue = tongue_of(visit->person);
   if (change.old_password().size() > kLongestPassword) return hang_up(visit, "password too long");
+  if (change.old_password() == change.new_password()) return refuse_same_password(visit);
   if (const int wait = guard_.wait_seconds(name, visit->peer->address(), clock_.monotonic_ns()); wait > 0)
     return answer_password(visit, v1::LOGIN_RESULT_WAIT,
                            say(tongue, "Zu viele falsche Passwörter: bitte warten, Sekunden: ",

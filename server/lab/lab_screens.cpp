@@ -11,6 +11,7 @@ namespace cnclab::lab {
 namespace {
 constexpr std::int64_t kRefresh_ns = 50'000'000;
 constexpr std::size_t kMostErrors = 99;
+constexpr int kMiddleRow = 11;
 
 /// What binds a computer to a seat is for the student who sits there, not for those who see the screen elsewhere.
 void hide(Screen& screen, const std::string& token) {
@@ -49,7 +50,9 @@ void Lab::draw(const DeskPtr& desk, std::int64_t now_ns) {
   note_situation(*desk);
   const panel::SideView side = side_view(*desk, now_ns);
   desk->view = View{desk->control.draw(now(*desk), side), desk->handled(), desk->state, desk->control.alarm_tone()};
-  if (desk->labor) draw_labor_menu(desk->view.screen, *desk->labor, tongue_of(desk->person), !side.notice.empty());
+  if (desk->labor)
+    draw_labor_menu(desk->view.screen, *desk->labor, tongue_of(desk->person),
+                    !side.bar.empty() || !side.notice.empty());
   present(desk, desk->control.take_beeps());
   if (desk->station == shown_station_)
     for (const DeskPtr& other : seats_.all())
@@ -76,6 +79,12 @@ void Lab::present(const DeskPtr& desk, int beeps) {
     const std::string who = say(tongue, " Platz ", " Station ") + std::to_string(shown->station) + ", " +
                             shown->person.name + say(tongue, ", wird allen gezeigt ", ", is shown to all ");
     view.screen.write(0, 2, who, Attribute::inverse);
+    // The keys of the shown control act there alone: in their place stands what bars those of this station.
+    constexpr int kNoticeRow = Screen::kRows - 2, kBarRow = Screen::kRows - 1;
+    view.screen.set_row(kNoticeRow, Screen::Row{});
+    view.screen.set_row(kBarRow, Screen::Row{});
+    if (desk->notice_until_ns > clock_.monotonic_ns()) view.screen.write(kNoticeRow, 0, desk->notice);
+    view.screen.write(kBarRow, 0, bar(*desk).value_or(""), Attribute::inverse);
   }
   visit->feed.offer(view, beeps);
   push(visit);
@@ -91,6 +100,23 @@ void Lab::push(const VisitPtr& visit) {
 
 void Lab::everybody_changed() {
   for (const DeskPtr& desk : seats_.all()) desk->is_dirty = true;
+  show_empty_seats();
+}
+
+void Lab::show_empty_seats() {
+  for (const VisitPtr& visit : visits_) {
+    const bool looks = visit->stage == Stage::looking_on || visit->stage == Stage::at_console;
+    if (!looks || visit->watched_station == 0) continue;
+    const auto sits_there = [&](const DeskPtr& desk) { return desk->station == visit->watched_station; };
+    if (std::ranges::any_of(seats_.all(), sits_there)) continue;
+    const auto tongue = tongue_of(visit->person);
+    View empty;
+    empty.screen.write(kMiddleRow, 2,
+                       say(tongue, "An Platz ", "Nobody is logged in at station ") +
+                           std::to_string(visit->watched_station) + say(tongue, " ist niemand angemeldet.", "."));
+    visit->feed.offer(empty, 0);
+    push(visit);
+  }
 }
 
 panel::SideView Lab::side_view(const Desk& desk, std::int64_t now_ns) const {
@@ -101,8 +127,11 @@ panel::SideView Lab::side_view(const Desk& desk, std::int64_t now_ns) const {
   side.controlling_station = authority_.selected();
   side.override_percent = desk.control.override_percent();
   side.halted_by = authority_.halted_by();
+  side.halted_at = authority_.halted_at();
   side.meldung = seats_.hand_of(desk);
-  side.notice = desk.notice_until_ns > now_ns ? desk.notice : bar(desk).value_or("");
+  side.bar = bar(desk).value_or("");
+  side.keys_work = side.bar.empty() || !desk.taken_by.empty();
+  if (desk.notice_until_ns > now_ns) side.notice = desk.notice;
   if (desk.login != kNoLogin && authority_.asked() == desk.login)
     side.notice = say(tongue_of(desk.person), "Die Lehrkraft bietet die Maschine an: START nimmt an, STOP lehnt ab.",
                       "The instructor offers the machine: START accepts, STOP declines.");

@@ -54,6 +54,7 @@ struct Visit {
   };
   std::optional<Transfer> transfer;
   std::uint32_t transfers = 0;
+  std::string tape;  ///< at_console: of `program send`, what has come of it so far
 
   [[nodiscard]] bool is_logged_in() const {
     return stage == Stage::at_desk || stage == Stage::at_console || stage == Stage::looking_on;

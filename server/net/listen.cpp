@@ -22,7 +22,8 @@ std::optional<tcp::endpoint> endpoint_of(const std::string& address) {
   return tcp::endpoint(ip, static_cast<unsigned short>(port));
 }
 
-std::expected<tcp::acceptor, std::string> listen_on(asio::io_context& loop, const std::string& address) {
+std::expected<tcp::acceptor, std::string> listen_on(asio::io_context& loop, const std::string& address,
+                                                    const std::string& setting) {
   const auto endpoint = endpoint_of(address);
   if (!endpoint)
     return std::unexpected("cannot listen on '" + address + "': give an address and a port, e.g. 127.0.0.1:3300");
@@ -34,7 +35,7 @@ std::expected<tcp::acceptor, std::string> listen_on(asio::io_context& loop, cons
   if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
   if (error == asio::error::address_in_use)
     return std::unexpected("cannot listen on " + address +
-                           ": the port is in use. Is another server running? Choose another with --listen ADDR:PORT");
+                           ": the port is in use. Is another server running? Choose another with " + setting);
   if (error) return std::unexpected("cannot listen on " + address + ": " + error.message());
   return acceptor;
 }

@@ -50,7 +50,7 @@ std::expected<std::unique_ptr<Metrics>, std::string> Metrics::listen(asio::io_co
   const auto endpoint = endpoint_of(address);
   if (endpoint && !endpoint->address().is_loopback())
     return std::unexpected("[server] metrics = '" + address + "': only a loopback address, e.g. 127.0.0.1:9300");
-  auto acceptor = listen_on(loop, address);
+  auto acceptor = listen_on(loop, address, "[server] metrics in lab.toml");
   if (!acceptor) return std::unexpected("[server] metrics: " + acceptor.error());
   return std::make_unique<Metrics>(std::move(*acceptor));
 }

@@ -190,7 +190,7 @@ class TcpLine final : public lab::LinePeer, public std::enable_shared_from_this<
 std::expected<std::unique_ptr<SerialListener>, std::string> SerialListener::listen(asio::io_context& loop,
                                                                                    const std::string& address,
                                                                                    const Certificate& certificate) {
-  auto acceptor = listen_on(loop, address);
+  auto acceptor = listen_on(loop, address, "[dnc] listen in lab.toml");
   if (!acceptor) return std::unexpected("[dnc] listen: " + acceptor.error());
   return std::make_unique<SerialListener>(std::move(*acceptor), certificate);
 }

@@ -34,7 +34,7 @@ void report(const std::exception_ptr& failure) {
 
 std::expected<std::unique_ptr<Server>, std::string> Server::listen(asio::io_context& loop, const std::string& address,
                                                                    const Certificate& certificate) {
-  auto acceptor = listen_on(loop, address);
+  auto acceptor = listen_on(loop, address, "--listen ADDR:PORT");
   if (!acceptor) return std::unexpected(acceptor.error());
   return std::make_unique<Server>(loop, std::move(*acceptor), certificate);
 }

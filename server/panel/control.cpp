@@ -49,7 +49,7 @@ std::string hint_for(Key key, Place place, const Settings& settings) {
   if (place == Place::automat_running) return text(Text::hint_running, tongue, {label});
   if (place == Place::automat_waiting || place == Place::input_waiting)
     return text(Text::hint_waiting, tongue, {label});
-  if (place == Place::external_transfer) return text(Text::hint_transfer, tongue, {label});
+  if (is_transfer(place)) return text(Text::hint_transfer, tongue, {label});
   if (is_start_state(place)) return text(Text::hint_moving, tongue, {label});
   if (place != Place::menu && is_opening(effect_of(Place::menu, key, settings.vocabulary)))
     return text(Text::hint_menu_first, tongue, {label});
@@ -114,6 +114,7 @@ void Control::connect(Connection connection) {
   state.compensation_mm = {};
   state.taught = {};  // positions of another machine mean nothing here
   // What ended the motion that this change has cut off is still to be told: `Endschalter` with its axis (ERR-020).
+  state.hint.clear();  // it spoke of the machine before
   const bool is_limit_told = leaves_lab_machine && state.message.monitor == text(Text::limit_switch, state.tongue());
   if (!is_limit_told) state.message = {};
   if (had_run && !is_limit_told) state.message.sentence = text(Text::said_connected, state.tongue());
@@ -146,7 +147,7 @@ Outcome Control::press(Key key, const Now& now) {
   const Place place = impl_->place();
   const Effect effect = effect_of(place, key, state.settings.vocabulary);
   const auto damaged_before = damaged_block(impl_->active, state);
-  if (effect == Effect::ignored) {
+  if (effect == Effect::ignored || !acts(impl_->active, effect)) {
     // While an axis is driven off its switch row 18 says so already.
     if (state.settings.hints && !state.run.is_backing_off()) state.hint = hint_for(key, place, state.settings);
     return outcome;
@@ -208,6 +209,7 @@ void Control::store_done(const std::string& error) {
   ControlState& state = impl_->state;
   if (!state.storing) return;
   const StoreRequest request = *std::exchange(state.storing, std::nullopt);
+  state.hint.clear();  // of a key that came while it was being stored
   const bool is_from_line = state.port.is_storing;
   if (is_from_line && !error.empty()) panel::line_stored(impl_->active, state, request, false);
   if (!error.empty()) {
@@ -224,6 +226,8 @@ Outcome Control::poll(const Now& now) {
   Outcome outcome;
   ControlState& state = impl_->state;
   state.now = now;
+  const Place place = impl_->place();
+  const std::string hint = state.hint;
   if (const auto turn = state.machine().spindle; turn != geometry::SpindleTurn::off) state.last_turn = turn;
   const bool was_storing = state.storing.has_value();
   if (state.recorder && !std::holds_alternative<ExternalDataMode>(impl_->active))
@@ -233,6 +237,7 @@ Outcome Control::poll(const Now& now) {
   impl_->obey_mode(outcome);
   follow_line(impl_->active, state);
   impl_->obey_mode(outcome);
+  if (state.hint == hint && impl_->place() != place) state.hint.clear();  // it spoke of what is over
   if (!was_storing) outcome.store = state.storing;
   impl_->hand_out_media(outcome);
   impl_->hand_out_line(outcome);
@@ -264,7 +269,8 @@ Screen Control::draw(const Now& now, const SideView& side) const {
                     .is_referenced = machine.is_referenced,
                     .spindle = machine.spindle};
   draw_side(canvas, side, lamps, state.tongue());
-  draw_bottom(canvas, impl_->sentence(side), impl_->place(), state.settings);
+  const auto lists = [&](Effect effect) { return side.keys_work && is_of_use(impl_->active, effect); };
+  draw_bottom(canvas, {side.bar, impl_->sentence(side), lists}, impl_->place(), state.settings);
   return canvas.screen();
 }
 
@@ -299,8 +305,9 @@ bool Control::is_running() const { return is_start_state(impl_->place()); }
 
 bool Control::is_busy() const {
   const auto* graphics = std::get_if<GraphicsMode>(&impl_->active);
-  const bool plays = graphics != nullptr && (graphics->is_playing || (graphics->test && graphics->test->is_busy()));
-  return plays || is_running() || recorder_runs() || impl_->place() == Place::external_transfer;
+  const bool plays = graphics != nullptr &&
+                     (graphics->is_playing || graphics->is_stale || (graphics->test && graphics->test->has_news()));
+  return plays || is_running() || recorder_runs() || is_transfer(impl_->place());
 }
 
 bool Control::awaits_machine() const {
@@ -376,6 +383,8 @@ void Control::replace_data(machine::MachineData data) {
   impl_->state.data = std::move(data);
   (void)impl_->state.apply_data();  // where the machine does not stand still, the next START tries again
 }
+
+void Control::drop_hint() { impl_->state.hint.clear(); }
 
 void Control::set_tongue(language::Tongue tongue) {
   impl_->state.settings.tongue = tongue;

@@ -93,6 +93,7 @@ struct PutPrograms {
   std::vector<language::Program> programs;
   std::vector<std::uint16_t> removed;
   std::optional<machine::MachineData> data;
+  std::string notice{};  ///< what of it was left out, for row 18
 };
 using StoreRequest =
     std::variant<PutPrograms, PutBlock, InsertBlock, DeleteBlock, RemovePrograms, PutMachineData, EraseMemory>;
@@ -130,7 +131,7 @@ struct Indication {
   friend bool operator==(const Indication&, const Indication&) = default;
 };
 
-/// What the lab adds to the screen: the right-hand column and, when it has something to say, row 18.
+/// What the lab adds to the screen: the right-hand column and, when it has something to say, rows 18 and 19.
 struct SideView {
   int station = 0;
   std::string user;
@@ -139,7 +140,11 @@ struct SideView {
   int override_percent = 0;
   int meldung = 0;          ///< place in the order of raised hands, 0 none
   std::string halted_by{};  ///< who pressed MASCHINE HALT, empty if nobody
-  std::string notice{};     ///< e.g. the offer of control; takes row 18 before the control's own sentence
+  int halted_at = 0;        ///< … at which station; 0: at none
+  /// Who bars the keyboard; stands above whatever else there is to say, as long as it holds (INS-002).
+  std::string bar{};
+  bool keys_work = true;  ///< false: nobody's keys but STOP and MASCHINE HALT act, none are listed
+  std::string notice{};   ///< e.g. the offer of control; before the control's own sentence
 };
 
 class Control {
@@ -249,6 +254,8 @@ class Control {
   void replace_data(machine::MachineData data);
   /// Another language from now on; what row 18 and the monitor's last line said before goes.
   void set_tongue(language::Tongue tongue);
+  /// The key that was ignored had an effect after all, in the lab: row 18 does not say that it had none.
+  void drop_hint();
 
  private:
   struct Impl;

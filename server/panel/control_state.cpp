@@ -20,6 +20,12 @@ void ControlState::complain(language::ErrorCode code, std::string sentence) {
   message = Message{std::string(language::monitor_text(code, tongue())), 0, std::move(sentence)};
 }
 
+void ControlState::complain_cannot_run(std::uint16_t number) {
+  if (number == language::kToolTable)
+    return complain(language::ErrorCode::program_missing, std::string(text(Text::said_tool_table, tongue())));
+  complain(language::Error{.code = language::ErrorCode::program_missing, .detail = program_word(number)});
+}
+
 machine::MachineData ControlState::effective_data() const {
   return connection.is_lab_machine ? machine::on_lab_machine(data, connection.lab_data) : data;
 }

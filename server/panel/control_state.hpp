@@ -75,6 +75,8 @@ struct ControlState {
   void complain(const language::Error& error);
   /// The error's monitor text with an own, more fitting sentence.
   void complain(language::ErrorCode code, std::string sentence);
+  /// Nothing of that number can run: it is not stored, or it is the tool table.
+  void complain_cannot_run(std::uint16_t number);
   /// The data of the machine that is connected now (DEC-25).
   [[nodiscard]] machine::MachineData effective_data() const;
   /// Gives the machine the data that hold now; false where it has others and does not stand still.

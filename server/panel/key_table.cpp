@@ -32,6 +32,9 @@ constexpr KeyRow hand_input(Place place) {
   return one(place, Key::HANDEINGABE, Effect::open_hand_input, Text::menu_hand_input);
 }
 constexpr KeyRow teach_in(Place place) { return one(place, Key::TEACH_IN, Effect::open_teach_in, Text::menu_teach_in); }
+constexpr KeyRow devices(Place place, Key first, Key last, KeyRow::Needs needs) {
+  return needing(needs, {place, first, last, Effect::digit, Text::help_device});
+}
 constexpr KeyRow istwert(Place place, Text help) { return one(place, Key::ISTWERT, Effect::istwert, help); }
 
 constexpr std::array kRows{
@@ -135,21 +138,37 @@ constexpr std::array kRows{
 
     stop(Place::teach_moving, Text::help_stop),
 
-    KeyRow{Place::external_device, Key::D1, Key::D9, Effect::digit, Text::help_device},
+    devices(Place::external_device, Key::D1, Key::D9, KeyRow::Needs::all_devices),
+    devices(Place::external_device, Key::D2, Key::D2, KeyRow::Needs::few_devices),
+    devices(Place::external_device, Key::D4, Key::D6, KeyRow::Needs::few_devices),
+    devices(Place::external_device, Key::D8, Key::D9, KeyRow::Needs::few_devices),
     menu(Place::external_device),
 
-    KeyRow{Place::external_polled, Key::D1, Key::D9, Effect::digit, Text::help_device},
+    devices(Place::external_polled, Key::D1, Key::D9, KeyRow::Needs::all_devices),
+    devices(Place::external_polled, Key::D2, Key::D2, KeyRow::Needs::few_devices),
+    devices(Place::external_polled, Key::D4, Key::D6, KeyRow::Needs::few_devices),
+    devices(Place::external_polled, Key::D8, Key::D9, KeyRow::Needs::few_devices),
     start(Place::external_polled, Text::help_release),
     menu(Place::external_polled),
 
-    digits(Place::external_program),
-    one(Place::external_program, Key::CLEAR, Effect::clear, Text::help_choose_all),
-    enter(Place::external_program, Text::help_transfer),
-    menu(Place::external_program),
+    digits(Place::external_write),
+    one(Place::external_write, Key::CLEAR, Effect::clear, Text::help_choose_all),
+    enter(Place::external_write, Text::help_transfer),
+    menu(Place::external_write),
+
+    digits(Place::external_read),
+    one(Place::external_read, Key::CLEAR, Effect::clear, Text::help_choose_all),
+    one(Place::external_read, Key::SIGN, Effect::sign, Text::help_adopt),
+    enter(Place::external_read, Text::help_transfer),
+    menu(Place::external_read),
 
     stop(Place::external_transfer, Text::help_abort),
-    one(Place::external_transfer, Key::SIGN, Effect::sign, Text::help_adopt),
-    enter(Place::external_transfer, Text::help_leader),
+
+    stop(Place::external_leader, Text::help_abort),
+    enter(Place::external_leader, Text::help_leader),
+
+    stop(Place::external_reading, Text::help_abort),
+    one(Place::external_reading, Key::SIGN, Effect::sign, Text::help_adopt),
 
     digits(Place::external_release),
     clear(Place::external_release),
@@ -190,8 +209,7 @@ constexpr std::array kRows{
 
     one(Place::memory_list, Key::SPEICHER_LOESCHEN, Effect::test_memory, Text::help_test_memory),
     menu(Place::memory_list),
-    one(Place::memory_confirm, Key::SPEICHER_LOESCHEN, Effect::test_memory, Text::help_destroy_memory),
-    menu(Place::memory_confirm),
+    one(Place::memory_running, Key::RESET, Effect::reset, Text::help_end_test),
 
     digits(Place::editor_program),
     clear(Place::editor_program),
@@ -264,16 +282,20 @@ bool has_row(const KeyRow& row, const language::Vocabulary& vocabulary) {
     case KeyRow::Needs::planned_functions:
       return is_3300 && vocabulary.planned_functions;
     case KeyRow::Needs::parameters:
+    case KeyRow::Needs::all_devices:
       return is_3300;
+    case KeyRow::Needs::few_devices:
+      return !is_3300;
   }
   return true;
 }
 
 Effect effect_of(Place place, Key key, const language::Vocabulary& vocabulary) {
   const auto row = std::ranges::find_if(kRows, [=](const KeyRow& candidate) {
-    return candidate.place == place && candidate.first <= key && key <= candidate.last;
+    return candidate.place == place && candidate.first <= key && key <= candidate.last &&
+           has_row(candidate, vocabulary);
   });
-  return row == kRows.end() || !has_row(*row, vocabulary) ? Effect::ignored : row->effect;
+  return row == kRows.end() ? Effect::ignored : row->effect;
 }
 
 Mode mode_opened_by(Effect effect) {

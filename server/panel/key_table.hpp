@@ -36,8 +36,11 @@ enum class Place : std::uint8_t {
   // EXTERNE DATEN
   external_device,    ///< a device is to be chosen
   external_polled,    ///< … while the line is polled under REMOTE: START releases a remote start (AUTH-013)
-  external_program,   ///< program number prompt
-  external_transfer,  ///< under way (D-107)
+  external_write,     ///< program number prompt of an output
+  external_read,      ///< … of an input: the machine data may be chosen along (KEY-066)
+  external_transfer,  ///< under way (D-107): an output
+  external_leader,    ///< … its cassette's leader still turns
+  external_reading,   ///< … an input
   external_release,   ///< program and block of the remote start that is released
   // GRAFIK
   graphics_program,  ///< program number prompt
@@ -48,7 +51,6 @@ enum class Place : std::uint8_t {
   // Service
   machine_data,
   memory_list,     ///< the numbers that the test would go through
-  memory_confirm,  ///< asked whether the memory may be destroyed
   memory_running,  ///< until RESET (ERR-033)
   // EINGABEMODUS
   editor_program,   ///< program number prompt, and the overview
@@ -94,6 +96,7 @@ enum class Effect : std::uint8_t {
   coolant,
   reference,
   test_memory,
+  reset,  ///< everywhere, apart from the table; listed where nothing else is left
 };
 
 /// A row of the table: in this place the keys from `first` to `last` have this effect.
@@ -103,8 +106,14 @@ struct KeyRow {
   Effect effect = Effect::ignored;
   Text help{};  ///< what the help rows say of it
   /// Only where the control has what it leads to: GRAFIK is a planned function, and the 3250 has neither it nor
-  /// parameters (MODEL-003, MODEL-006).
-  enum class Needs : std::uint8_t { nothing, planned_functions, parameters } needs = Needs::nothing;
+  /// parameters (MODEL-003, MODEL-006); of the devices it lacks printer and punched tape (MODEL-004, MODEL-005).
+  enum class Needs : std::uint8_t {
+    nothing,
+    planned_functions,
+    parameters,
+    all_devices,
+    few_devices,
+  } needs = Needs::nothing;
 };
 
 [[nodiscard]] std::span<const KeyRow> key_table();
@@ -118,6 +127,11 @@ struct KeyRow {
   return effect >= Effect::open_hand && effect <= Effect::open_menu;
 }
 [[nodiscard]] Mode mode_opened_by(Effect effect);  ///< effect: `is_opening`
+
+/// Is the place one of a transfer of EXTERNE DATEN that is under way? (D-107)
+[[nodiscard]] constexpr bool is_transfer(Place place) {
+  return place == Place::external_transfer || place == Place::external_leader || place == Place::external_reading;
+}
 
 /// Is the place one of START state? (KEY-011)
 [[nodiscard]] constexpr bool is_start_state(Place place) {

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <set>
 
 #include "language/program_text.hpp"
 #include "program/rebuild_modal.hpp"
@@ -86,6 +87,19 @@ bool read_tools(const Options& options, Job& job) {
   return false;
 }
 
+/// Every fault of a machine-data file: each is told, and the rest read as if its line were empty.
+void print_data_faults(const Options& options, std::string text) {
+  std::set<int> told;
+  for (auto data = machine::read_machine_data(text); !data; data = machine::read_machine_data(text)) {
+    const auto& [line, reason] = data.error();
+    if (!told.insert(line).second) return;
+    print_problem(fmt::format("{}:{}", options.machine_data_file, line), reason);
+    std::size_t begin = 0;
+    for (int i = 1; i < line; ++i) begin = text.find('\n', begin) + 1;
+    text.erase(begin, std::min(text.find('\n', begin), text.size()) - begin);
+  }
+}
+
 bool read_data(const Options& options, Job& job) {
   if (!options.machine_data_file.empty()) {
     const auto text = read_file(options.machine_data_file, options.tongue);
@@ -95,7 +109,7 @@ bool read_data(const Options& options, Job& job) {
     }
     const auto data = machine::read_machine_data(*text);
     if (!data) {
-      print_problem(fmt::format("{}:{}", options.machine_data_file, data.error().line), data.error().reason);
+      print_data_faults(options, *text);
       return false;
     }
     job.data = *data;

@@ -114,9 +114,14 @@ std::expected<void, db::OpenError> verify_codes(const Options& options, Count& c
   return {};
 }
 
-/// OpenError names the file itself.
-int say_unusable(const db::OpenError& error) {
-  fmt::print(stderr, "{}\n", error.text);
+/// OpenError names the file itself. Its remedy, to restore a backup, is for the database in a data folder alone.
+int say_unusable(const Options& options, const db::OpenError& error) {
+  const bool is_in_use = std::filesystem::path(options.file).filename() == "cnclab.db";
+  if (error.kind == db::OpenError::Kind::damaged && !is_in_use)
+    print_problem(options.file, say(options.tongue, "ist beschädigt oder keine Datenbank eines Labors.",
+                                    "is damaged, or no database of a lab."));
+  else
+    fmt::print(stderr, "{}\n", error.text);
   return kExitError;
 }
 
@@ -130,11 +135,11 @@ int verify(const Options& options) {
     return kExitError;
   }
   const auto faults = db::integrity_faults(options.file);
-  if (!faults) return say_unusable(faults.error());
+  if (!faults) return say_unusable(options, faults.error());
   Count count{.faults = faults->size()};
   for (const std::string& fault : *faults) print_problem(options.file, fault);
   try {
-    if (const auto read = verify_codes(options, count); !read) return say_unusable(read.error());
+    if (const auto read = verify_codes(options, count); !read) return say_unusable(options, read.error());
   } catch (const db::StoreFailure& failure) {
     print_problem(options.file, failure.what());
     return kExitError;

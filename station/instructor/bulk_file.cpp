@@ -26,7 +26,9 @@ BulkFile::~BulkFile() {
 
 std::expected<v1::ChunkAck, Failure> BulkFile::take(const v1::Chunk& chunk) {
   if (chunk.offset() != size_ || chunk.data().size() > kLargestChunk) {
-    return std::unexpected(Failure{kRefused, "the server sent the content in disorder; try again"});
+    return std::unexpected(
+        Failure{kRefused, own_words({"der Server hat den Inhalt durcheinander geschickt; bitte noch einmal",
+                                     "the server sent the content in disorder; try again"})});
   }
   stream_.write(chunk.data().data(), static_cast<std::streamsize>(chunk.data().size()));
   size_ += chunk.data().size();
@@ -35,7 +37,9 @@ std::expected<v1::ChunkAck, Failure> BulkFile::take(const v1::Chunk& chunk) {
     is_complete_ = stream_.good() && std::rename(part_.c_str(), target_.c_str()) == 0;
   }
   if (!stream_.good() || (chunk.is_last() && !is_complete_)) {
-    return std::unexpected(Failure{kRefused, target_.string() + " cannot be written: is there space, may you write?"});
+    return std::unexpected(
+        Failure{kRefused, target_.string() + own_words({": nicht zu schreiben. Ist Platz da, darf man schreiben?",
+                                                        ": cannot be written. Is there space, may you write?"})});
   }
   v1::ChunkAck acknowledgement;
   acknowledgement.set_transfer(chunk.transfer());

@@ -26,7 +26,9 @@ std::expected<void, Failure> write_file(const std::filesystem::path& file, const
   if (stream) std::filesystem::rename(part, file, error);
   if (stream && !error) return {};
   std::filesystem::remove(part, error);
-  return std::unexpected(Failure{kRefused, file.string() + " cannot be written: is there space, may you write?"});
+  return std::unexpected(
+      Failure{kRefused, file.string() + own_words({": nicht zu schreiben. Ist Platz da, darf man schreiben?",
+                                                   ": cannot be written. Is there space, may you write?"})});
 }
 
 }  // namespace
@@ -37,7 +39,9 @@ std::expected<std::vector<std::filesystem::path>, Failure> split_collection(cons
   std::vector<std::pair<std::string, std::string>> parts;  // name and text
   for (std::string line; std::getline(stream, line);) {
     if (const auto name = name_in(line)) {
-      if (!is_file_name(*name)) return std::unexpected(Failure{kRefused, *name + ": no name for a file"});
+      if (!is_file_name(*name))
+        return std::unexpected(
+            Failure{kRefused, *name + own_words({": kein Name für eine Datei", ": no name for a file"})});
       parts.emplace_back(*name, "");
     } else if (!parts.empty()) {
       parts.back().second += line + "\n";

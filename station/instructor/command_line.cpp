@@ -5,8 +5,12 @@
 #include <algorithm>
 #include <sstream>
 
+#include "instructor/command_fault.hpp"
 #include "instructor/commands.hpp"
+#include "instructor/failure.hpp"
+#include "station/cell_text.hpp"
 #include "station/known_hosts.hpp"
+#include "station/utf8.hpp"
 
 namespace cnclab::instructor {
 namespace {
@@ -17,14 +21,18 @@ constexpr auto kDescription =
     "or prints `error: ...` and exits 1.";
 
 void add_access(CLI::App& app, Access& access, std::string& server) {
-  app.add_option("--server", server, "server as HOST:PORT")->capture_default_str();
-  app.add_option("--user", access.user, "instructor's name; asked for where it is missing");
+  app.add_option("--server", server, "server as HOST:PORT")->capture_default_str()->type_name("HOST:PORT");
+  app.add_option("--user", access.user, "instructor's name; asked for where it is missing")->type_name("NAME");
   app.add_option("--password-file", access.password_file, "password in the first line; asked for where it is missing")
+      ->type_name("FILE")
       ->check(CLI::ExistingFile);
   app.add_option("--new-password-file", access.new_password_file, "answers a forced change, and for passwd")
+      ->type_name("FILE")
       ->check(CLI::ExistingFile);
   app.add_option("--fingerprint", access.trust.fingerprint, "SHA256:... that the server prints at its start");
 }
+
+EarlyEnd refused(const std::string& text) { return {.exit_code = kRefused, .text = "error: " + text + "\n"}; }
 
 }  // namespace
 
@@ -37,7 +45,11 @@ std::optional<std::uint32_t> program_number(const std::string& text) {
 }
 
 std::expected<CommandLine, EarlyEnd> read_command_line(const std::vector<std::string>& arguments) {
-  constexpr int kUsage = static_cast<int>(station::ExitCode::usage);
+  const auto language = station::language_of_locale();
+  for (const auto& argument : arguments)
+    if (station::line_not_utf8(argument))
+      return std::unexpected(
+          refused(station::printable(argument) + ": " + std::string(station::kNotUtf8.in(language))));
   CommandLine line;
   std::string server = "127.0.0.1:3300";
   CLI::App app(kDescription, "cnclab-instructor");
@@ -47,12 +59,13 @@ std::expected<CommandLine, EarlyEnd> read_command_line(const std::vector<std::st
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 takes them
     app.parse(reversed);
   } catch (const CLI::ParseError& error) {
-    std::ostringstream out, err;
-    const int code = app.exit(error, out, err);
-    return std::unexpected(EarlyEnd{.exit_code = code == 0 ? 0 : kUsage, .text = code == 0 ? out.str() : err.str()});
+    if (error.get_exit_code() != 0) return std::unexpected(refused(fault_text(app, error, language)));
+    std::ostringstream help;
+    app.exit(error, help, help);
+    return std::unexpected(EarlyEnd{.exit_code = 0, .text = help.str()});
   }
   const auto address = station::parse_address(server);
-  if (!address) return std::unexpected(EarlyEnd{kUsage, "--server " + server + ": HOST:PORT is needed\n"});
+  if (!address) return std::unexpected(refused("--server " + server + ": HOST:PORT"));
   line.access.address = *address;
   line.access.trust.known_hosts = station::default_known_hosts();
   return line;
@@ -77,7 +90,7 @@ std::vector<std::string> words_of(const std::string& line) {
   return words;
 }
 
-std::expected<Command, std::string> read_command(const std::vector<std::string>& words) {
+std::expected<Command, std::string> read_command(const std::vector<std::string>& words, station::Language language) {
   std::optional<Command> command;
   CLI::App app("", "");
   add_commands(app, command);
@@ -85,12 +98,14 @@ std::expected<Command, std::string> read_command(const std::vector<std::string>&
     std::vector<std::string> reversed(words.rbegin(), words.rend());
     app.parse(reversed);
   } catch (const CLI::ParseError& error) {
-    std::string text = error.what();
-    return std::unexpected(text.substr(0, text.find('\n')));
+    return std::unexpected(fault_text(app, error, language));
   }
-  if (!command) return std::unexpected("a command is needed, e.g. students");
-  if (command->changes_own_password)
-    return std::unexpected("passwd: run `cnclab-instructor … passwd`, so that the password is not on the screen");
+  constexpr station::Text kNone{"Einen Befehl eingeben, z. B. students.", "A command is needed, e.g. students."};
+  constexpr station::Text kNotHere{
+      "passwd: nur als cnclab-instructor … passwd, damit das Passwort nicht am Bildschirm steht.",
+      "passwd: only as cnclab-instructor … passwd, so that the password is not on the screen."};
+  if (!command) return std::unexpected(std::string(kNone.in(language)));
+  if (command->changes_own_password) return std::unexpected(std::string(kNotHere.in(language)));
   return *command;
 }
 

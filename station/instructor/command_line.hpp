@@ -9,6 +9,7 @@
 
 #include "cnclab/v1/instructor.pb.h"
 #include "station/client.hpp"
+#include "station/language.hpp"
 
 namespace cnclab::instructor {
 
@@ -34,7 +35,7 @@ struct CommandLine {
   std::optional<Command> command;  ///< nothing: the console
 };
 
-/// The program ends before it has connected: help (0, stdout) or wrong usage (2, stderr).
+/// The program ends before it has connected: help (0, stdout) or a wrong command line ("error: …", 1, stderr).
 struct EarlyEnd {
   int exit_code = 0;
   std::string text;
@@ -44,7 +45,8 @@ struct EarlyEnd {
 [[nodiscard]] std::expected<CommandLine, EarlyEnd> read_command_line(const std::vector<std::string>& arguments);
 
 /// A command as the console's own command line takes it. errors: what is wrong with it, in one line
-[[nodiscard]] std::expected<Command, std::string> read_command(const std::vector<std::string>& words);
+[[nodiscard]] std::expected<Command, std::string> read_command(const std::vector<std::string>& words,
+                                                               station::Language language);
 /// Words between blanks; "…" keeps blanks together.
 [[nodiscard]] std::vector<std::string> words_of(const std::string& line);
 

@@ -9,7 +9,9 @@
 #include <optional>
 #include <string>
 
+#include "instructor/command_fault.hpp"
 #include "instructor/command_line.hpp"
+#include "station/utf8.hpp"
 
 namespace cnclab::instructor {
 
@@ -45,20 +47,27 @@ std::shared_ptr<T> value(T initial = {}) {
   return std::make_shared<T>(std::move(initial));
 }
 
+/// A word that the command needs. `kind` stands for it in the usage: a range, a choice, or an example.
 template <class T>
-CLI::Option* needed(CLI::App& sub, const std::string& name, const std::shared_ptr<T>& into, const std::string& what) {
-  return sub.add_option(name, *into, what)->required();
+CLI::Option* needed(CLI::App& sub, const std::string& name, const std::shared_ptr<T>& into, const std::string& what,
+                    const std::string& kind) {
+  return sub.add_option(name, *into, what)->required()->type_name(kind);
 }
 
+/// A text that can be sent. throws UnfitFile
 inline std::string content_of(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  if (const auto line = station::line_not_utf8(text))
+    throw UnfitFile(file + ":" + std::to_string(*line), station::kNotUtf8);
+  return text;
 }
 
+/// As `content_of`, of the first line.
 inline std::string first_line_of(const std::string& file) {
-  std::ifstream stream(file);
-  std::string line;
-  std::getline(stream, line);
+  const std::string text = content_of(file);
+  std::string line = text.substr(0, text.find('\n'));
+  if (line.ends_with('\r')) line.pop_back();
   return line;
 }
 

@@ -11,6 +11,7 @@
 #include <exception>
 
 #include "instructor/collection.hpp"
+#include "instructor/tape_parts.hpp"
 #include "shared/frame.hpp"
 #include "shared/screen_wire.hpp"
 
@@ -73,11 +74,17 @@ void ConsoleLink::enqueue(v1::ClientMessage message, bool is_urgent) {
 
 void ConsoleLink::send(Command command, bool is_urgent) {
   if (!client_) return;
-  command.request.set_number(++number_);
   v1::ClientMessage message;
+  if (auto part = take_part(command.request)) {
+    part->set_number(++number_);
+    *message.mutable_request() = std::move(*part);
+    begun_[number_] = std::move(command);
+    return enqueue(std::move(message), false);
+  }
+  command.request.set_number(++number_);
   *message.mutable_request() = command.request;
   if (message.ByteSizeLong() > kLargestFrame)
-    return conclude(command, std::unexpected(Failure{kRefused, "the file is too large: at most 60000 bytes"}));
+    return conclude(command, std::unexpected(Failure{kRefused, own_words(kTooLarge)}));
   if (command.request.has_take()) {  // a keyboard without its screen would be typed on blindly
     v1::ClientMessage watch;
     watch.mutable_request()->set_number(++number_);
@@ -123,6 +130,7 @@ awaitable<void> ConsoleLink::keep_connected(station::Client client) {
     last_heard_ = Clock::now();
     outgoing_.clear();
     asked_.clear();
+    begun_.clear();
     parts_.clear();
     content_.reset();
     screen_ = Screen();
@@ -189,6 +197,10 @@ void ConsoleLink::take_answer(const v1::InstructorAnswer& answer) {
     status_number_ = 0;
     if (!answer.items().empty() && answer.items(0).has_status()) events_.status(answer.items(0).status());
     return;
+  }
+  if (auto begun = begun_.extract(answer.number()); !begun.empty()) {
+    if (answer.error().empty()) return send(std::move(begun.mapped()), false);
+    return conclude(begun.mapped(), std::unexpected(Failure{kRefused, answer.error()}));
   }
   const auto asked = asked_.find(answer.number());
   if (asked == asked_.end()) return;

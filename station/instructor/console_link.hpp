@@ -67,6 +67,7 @@ class ConsoleLink {
   std::deque<v1::ClientMessage> outgoing_;
   boost::asio::steady_timer outgoing_signal_;
   std::map<std::uint64_t, Command> asked_;               ///< commands without an answer yet
+  std::map<std::uint64_t, Command> begun_;               ///< whose tape goes on after the answer of that number
   std::map<std::uint64_t, v1::InstructorAnswer> parts_;  ///< answers of which more is to come
   std::optional<std::pair<Command, BulkFile>> content_;  ///< being received
   Screen screen_;

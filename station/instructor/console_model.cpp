@@ -211,6 +211,8 @@ ConsoleModel with_answer(ConsoleModel model, const v1::InstructorRequest& reques
     model.message = {answer.error(), true};
     return model;
   }
+  const bool ends_watching = request.has_watch() && request.watch().station() == 0;
+  if (ends_watching) return model;  // the table came back with the key
   if (request.has_watch() || request.has_take()) {
     model.overlay = Overlay::watching;
     model.watched.station =

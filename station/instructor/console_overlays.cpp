@@ -36,7 +36,7 @@ void take_back(std::string& text) {
 }
 
 Reaction send_entry(ConsoleModel& model) {
-  auto command = read_command(words_of(model.entry));
+  auto command = read_command(words_of(model.entry), model.language);
   if (!command) {
     model.message = {command.error(), true};
     return stay(model);
@@ -137,10 +137,11 @@ Reaction react_watching(ConsoleModel& model, const Input& input) {
 }  // namespace
 
 std::optional<Reaction> react_overlaid(ConsoleModel& model, const Input& input) {
-  const bool takes_letters = model.overlay == Overlay::entry || model.overlay == Overlay::watching;
+  const bool is_watching = model.overlay == Overlay::watching;
+  const bool takes_letters = model.overlay == Overlay::entry || (is_watching && model.watched.is_typing);
   const bool stops = is(input, Special::halt) || (!takes_letters && character_of(input) == U'h');
   if (stops) {  // a stop always works; what was typed or watched stays
-    if (!takes_letters) model.overlay = Overlay::none;
+    if (!takes_letters && !is_watching) model.overlay = Overlay::none;
     return std::nullopt;
   }
   switch (model.overlay) {

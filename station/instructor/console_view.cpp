@@ -34,6 +34,24 @@ constexpr Column kSeat{2, 2, {"Pl", "St"}}, kName{5, 12, {"Name", "Name"}}, kMod
     kHand{52, 4, {"Hand", "Hand"}}, kKey{57, 9, {"Taste", "Key"}}, kErrors{67, 4, {"Fehl", "Err."}},
     kControl{72, 8, {"Maschine", "Machine"}};
 
+/// Keys whose names of interfaces.md are wider than their column.
+struct ShortName {
+  std::string_view name, text;
+};
+constexpr std::array<ShortName, 8> kShortNames{{{"KUEHLMITTEL", "KÜHLMITT."},
+                                                {"EINZELSATZ", "EINZELS."},
+                                                {"EXTERNE_DATEN", "EXT.DATEN"},
+                                                {"SATZ_SUCHEN", "S.SUCHEN"},
+                                                {"SPEICHER_LOESCHEN", "SP.LÖSCH."},
+                                                {"HANDEINGABE", "HANDEING."},
+                                                {"SATZ_LOESCHEN", "S.LÖSCHEN"},
+                                                {"MASCHINE_HALT", "M. HALT"}}};
+
+std::string_view short_name(std::string_view key) {
+  const auto* const found = std::ranges::find(kShortNames, key, &ShortName::name);
+  return found == kShortNames.end() ? key : found->text;
+}
+
 class Drawing {
  public:
   explicit Drawing(const ConsoleModel& model) : model_(model) {}
@@ -41,8 +59,8 @@ class Drawing {
   /// The station's own 24 rows, with a line over its frame that says how to leave.
   [[nodiscard]] Screen draw_watched() {
     screen_ = model_.watched.screen;
-    const Text watching{" Platz {}: Bild. t Tastatur übernehmen, jede andere Taste: zurück ",
-                        " Station {}: its screen. t takes its keyboard over, any other key: back "};
+    const Text watching{" Platz {}: Bild. t Tastatur, h MASCHINE HALT, jede andere Taste: zurück ",
+                        " Station {}: screen. t keyboard, h MACHINE HALT, any other key: back "};
     const Text typing{" Platz {}: Ihre Tastatur. F8 gibt sie zurück, F12 MASCHINE HALT ",
                       " Station {}: your keyboard. F8 gives it back, F12 MACHINE HALT "};
     const Text& text = model_.watched.is_typing ? typing : watching;
@@ -116,7 +134,7 @@ class Drawing {
     put(kMode, at_seat->mode());
     if (at_seat->program() != 0) put(kProgram, fmt::format("P{:04} N{:03}", at_seat->program(), at_seat->block()));
     if (at_seat->running()) put(kRunning, "●");
-    put(kKey, at_seat->last_key());
+    put(kKey, short_name(at_seat->last_key()));
     if (at_seat->errors_last_minute() != 0) put(kErrors, fmt::format("{:3}", at_seat->errors_last_minute()));
     put(kLink, at_seat->connected() ? say({"ja", "yes"}) : say({"FEHLT", "LOST"}));
     if (at_seat->meldung() != 0) put(kHand, fmt::format("{}.", at_seat->meldung()));

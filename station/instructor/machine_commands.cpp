@@ -10,7 +10,7 @@ void add_station_command(CommandTable& table, const std::string& name, const std
                          const std::function<void(v1::InstructorRequest&, std::uint32_t)>& fill) {
   const auto station = value<std::uint32_t>();
   auto& sub = table.add(name, description, [=](Command& command) { fill(command.request, *station); });
-  needed(sub, "station", station, "1 to 15")->check(CLI::Range(1, kLastStation));
+  needed(sub, "station", station, "1 to 15", "1-15")->check(CLI::Range(1, kLastStation));
 }
 
 /// NAME N on|off
@@ -19,8 +19,8 @@ void add_station_switch(CommandTable& table, const std::string& name, const std:
   const auto station = value<std::uint32_t>();
   const auto state = value<std::string>();
   auto& sub = table.add(name, description, [=](Command& command) { fill(command.request, *station, *state == "on"); });
-  needed(sub, "station", station, "1 to 15")->check(CLI::Range(1, kLastStation));
-  needed(sub, "state", state, "on or off")->check(CLI::IsMember({"on", "off"}));
+  needed(sub, "station", station, "1 to 15", "1-15")->check(CLI::Range(1, kLastStation));
+  needed(sub, "state", state, "on or off", "on|off")->check(CLI::IsMember({"on", "off"}));
 }
 
 void add_selector(CommandTable& table) {
@@ -31,7 +31,7 @@ void add_selector(CommandTable& table) {
     c.request.mutable_select()->set_station(*station);
     c.request.mutable_select()->set_force(*force);
   });
-  needed(select, "station", station, "1 to 15")->check(CLI::Range(1, kLastStation));
+  needed(select, "station", station, "1 to 15", "1-15")->check(CLI::Range(1, kLastStation));
   select.add_flag("--force", *force, "also while the machine moves: stops it on the ramp first");
   const auto force_release = value(false);
   auto& release = table.add("release", "takes the machine back",
@@ -50,9 +50,9 @@ void add_switches(CommandTable& table) {
     c.request.mutable_input()->set_input(*number);
     c.request.mutable_input()->set_on(*state == "on");
   });
-  needed(input, "number", number, "0 Input 1, 11 to 18 card 1, 21 to 28 card 2")
+  needed(input, "number", number, "0 Input 1, 11 to 18 card 1, 21 to 28 card 2", "0|11-18|21-28")
       ->check(CLI::IsMember({0U, 11U, 12U, 13U, 14U, 15U, 16U, 17U, 18U, 21U, 22U, 23U, 24U, 25U, 26U, 27U, 28U}));
-  needed(input, "state", state, "on or off")->check(CLI::IsMember({"on", "off"}));
+  needed(input, "state", state, "on or off", "on|off")->check(CLI::IsMember({"on", "off"}));
   add_station_switch(table, "remote", "REMOTE switch of a station", [](auto& request, auto station, bool on) {
     request.mutable_remote()->set_station(station);
     request.mutable_remote()->set_on(on);
@@ -89,12 +89,12 @@ void add_machine(CommandTable& table) {
       datum->set_value(std::stoi(pair.substr(pair.find('=') + 1)));
     }
   });
-  machine_data.add_option("data", *data, "e.g. 06=3000")->check(machine_datum());
+  machine_data.add_option("data", *data, "e.g. 06=3000")->type_name("06=3000")->check(machine_datum());
   const auto file = value<std::string>();
   auto& tools = table.add("tools", "prints or replaces the lab machine's tool list", [=](Command& c) {
     c.request.mutable_tools()->set_tape(file->empty() ? "" : content_of(*file));
   });
-  tools.add_option("file", *file, "a tape with program P0000")->check(CLI::ExistingFile);
+  tools.add_option("file", *file, "a tape with program P0000")->type_name("FILE")->check(CLI::ExistingFile);
   const auto size = value<std::vector<double>>();
   auto& workpiece = table.add("workpiece", "prints or sets the workpiece's size", [=](Command& c) {
     auto* set = c.request.mutable_workpiece();
@@ -104,7 +104,7 @@ void add_machine(CommandTable& table) {
     set->set_y(size->at(1));
     set->set_z(size->at(2));
   });
-  workpiece.add_option("size", *size, "X Y Z in mm")->expected(3)->check(CLI::PositiveNumber);
+  workpiece.add_option("size", *size, "X Y Z in mm")->type_name("X Y Z")->expected(3)->check(CLI::PositiveNumber);
 }
 
 void add_classroom(CommandTable& table) {
@@ -116,13 +116,15 @@ void add_classroom(CommandTable& table) {
     c.request.mutable_message()->set_station(*station == "all" ? 0 : static_cast<std::uint32_t>(std::stoul(*station)));
     c.request.mutable_message()->set_text(text);
   });
-  needed(message, "station", station, "1 to 15, or all")->check(CLI::IsMember({"all"}) | CLI::Range(1, kLastStation));
-  needed(message, "text", words, "the message");
+  needed(message, "station", station, "1 to 15, or all", "1-15|all")
+      ->check(CLI::IsMember({"all"}) | CLI::Range(1, kLastStation));
+  needed(message, "text", words, "the message", "TEXT");
   const auto shown = value<std::string>();
   auto& show = table.add("show", "a station's screen on all stations", [=](Command& c) {
     c.request.mutable_show()->set_station(*shown == "off" ? 0 : static_cast<std::uint32_t>(std::stoul(*shown)));
   });
-  needed(show, "station", shown, "1 to 15, or off")->check(CLI::IsMember({"off"}) | CLI::Range(1, kLastStation));
+  needed(show, "station", shown, "1 to 15, or off", "1-15|off")
+      ->check(CLI::IsMember({"off"}) | CLI::Range(1, kLastStation));
   using Request = v1::InstructorRequest;
   add_station_command(table, "watch", "prints a station's screen whenever it changes",
                       [](Request& r, std::uint32_t n) { r.mutable_watch()->set_station(n); });

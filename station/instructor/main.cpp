@@ -13,6 +13,7 @@ namespace {
 
 using namespace cnclab::instructor;
 
+/// Gives the exit code.
 int report(const Failure& failure) {
   std::fprintf(stderr, "error: %s\n", failure.text.c_str());
   return failure.exit_code;
@@ -27,7 +28,9 @@ int run_command(const CommandLine& line) {
                           result = std::move(ended);
                         });
   context.run();
-  return result ? 0 : report(result.error());
+  if (result) return 0;
+  report(result.error());
+  return kRefused;  // whatever the reason (interfaces.md section 4)
 }
 
 }  // namespace

@@ -60,7 +60,9 @@ awaitable<Result<void>> change_own_password(Entry& entry, const std::string& pas
 
 std::expected<std::string, Failure> asked_password() {
   const auto password = ask_secret("Passwort / password: ");
-  if (!password) return std::unexpected(Failure{kUsage, "--password-file FILE is needed where there is no terminal"});
+  if (!password)
+    return std::unexpected(Failure{kUsage, own_words({"ohne Terminal ist --password-file FILE nötig",
+                                                      "--password-file FILE is needed where there is no terminal"})});
   return *password;
 }
 
@@ -82,7 +84,9 @@ awaitable<Result<void>> carry_out(station::Client& client, Command& command, std
 
 Result<Credentials> credentials_for(Access& access) {
   if (access.user.empty()) access.user = ask("Name: ").value_or("");
-  if (access.user.empty()) return std::unexpected(Failure{kUsage, "--user NAME is needed where there is no terminal"});
+  if (access.user.empty())
+    return std::unexpected(Failure{kUsage, own_words({"ohne Terminal ist --user NAME nötig",
+                                                      "--user NAME is needed where there is no terminal"})});
   Credentials credentials{.user = access.user, .password = {}, .new_password = {}, .may_ask = true};
   auto password = access.password_file.empty() ? asked_password() : password_in(access.password_file);
   if (!password) return std::unexpected(password.error());
@@ -101,7 +105,9 @@ awaitable<Result<void>> run_one_shot(Access access, Command command, std::FILE* 
   if (!credentials) co_return std::unexpected(credentials.error());
   if (command.changes_own_password && !credentials->new_password) credentials->new_password = ask_new_password();
   if (command.changes_own_password && !credentials->new_password) {
-    co_return std::unexpected(Failure{kUsage, "passwd: --new-password-file FILE is needed where there is no terminal"});
+    co_return std::unexpected(
+        Failure{kUsage, own_words({"passwd: ohne Terminal ist --new-password-file FILE nötig",
+                                   "passwd: --new-password-file FILE is needed where there is no terminal"})});
   }
   auto entry = co_await enter(access, *credentials);
   if (!entry) co_return std::unexpected(entry.error());

@@ -29,8 +29,8 @@ const CLI::Validator& program_or_data_name() {
 
 void add_program_choice(CLI::App& sub, const std::shared_ptr<std::string>& student,
                         const std::shared_ptr<std::string>& program) {
-  needed(sub, "name", student, "student");
-  needed(sub, "program", program, "P0001, or MD: the machine data")->check(program_or_data_name());
+  needed(sub, "name", student, "student", "NAME");
+  needed(sub, "program", program, "P0001, or MD: the machine data", "P0001|MD")->check(program_or_data_name());
 }
 
 void add_program_copies(CommandTable& program) {
@@ -45,9 +45,9 @@ void add_program_copies(CommandTable& program) {
     request->set_all(*all);
     request->set_replace(*replace);
   });
-  needed(send, "file", tape, "tape text")->check(CLI::ExistingFile);
+  needed(send, "file", tape, "tape text", "FILE")->check(CLI::ExistingFile);
   auto* to_all = send.add_flag("--all", *all, "to every student");
-  send.add_option("names", *names, "students")->excludes(to_all);
+  send.add_option("names", *names, "students")->type_name("NAME")->excludes(to_all);
   send.add_flag("--replace", *replace, "also where a program of that number exists");
   const auto folder = value<std::string>();
   const auto wanted = value<std::string>();
@@ -58,15 +58,15 @@ void add_program_copies(CommandTable& program) {
         c.content_file = std::filesystem::path(*folder) / ".cnclab-collected";
         c.is_collection = true;
       });
-  needed(collect, "folder", folder, "folder to write into")->check(CLI::ExistingDirectory);
-  collect.add_option("program", *wanted, "only this one")->check(program_name());
+  needed(collect, "folder", folder, "folder to write into", "FOLDER")->check(CLI::ExistingDirectory);
+  collect.add_option("program", *wanted, "only this one")->type_name("P0001")->check(program_name());
 }
 
 void add_programs(CommandTable& table) {
   const auto owner = value<std::string>();
   auto& programs = table.add("programs", "a student's programs",
                              [=](Command& c) { c.request.mutable_programs()->set_name(*owner); });
-  needed(programs, "name", owner, "student");
+  needed(programs, "name", owner, "student", "NAME");
   CommandTable program = table.group("program", "looks at and copies programs");
   add_program_copies(program);
   using Choose = std::function<v1::ProgramName*(v1::InstructorRequest&)>;
@@ -84,18 +84,18 @@ void add_programs(CommandTable& table) {
     return std::pair(&sub, version);
   };
   const auto [show, shown_version] = add("show", "the tape text", [](auto& r) { return r.mutable_program_show(); });
-  show->add_option("--version", *shown_version, "an older version");
+  show->add_option("--version", *shown_version, "an older version")->type_name("K");
   add("versions", "all versions", [](auto& r) { return r.mutable_program_versions(); });
   const auto [restore, restored_version] =
       add("restore", "makes an older version the newest", [](auto& r) { return r.mutable_program_restore(); });
-  needed(*restore, "version", restored_version, "number of the version");
+  needed(*restore, "version", restored_version, "number of the version", "VERSION");
 }
 
 void add_records(CommandTable& table) {
   const auto runner = value<std::string>();
   auto& runs =
       table.add("runs", "a student's recorded runs", [=](Command& c) { c.request.mutable_runs()->set_name(*runner); });
-  needed(runs, "name", runner, "student");
+  needed(runs, "name", runner, "student", "NAME");
   CommandTable run = table.group("run", "looks at a recorded run");
   const auto traced = value<std::uint32_t>();
   const auto file = value<std::string>();
@@ -103,20 +103,20 @@ void add_records(CommandTable& table) {
     c.request.mutable_run_trace()->set_run(*traced);
     c.content_file = *file;
   });
-  needed(trace, "id", traced, "number of the run, see runs");
-  needed(trace, "file", file, "CSV to write");
+  needed(trace, "id", traced, "number of the run, see runs", "ID");
+  needed(trace, "file", file, "CSV to write", "FILE");
   const auto replayed = value<std::uint32_t>();
   auto& replay = run.add("replay", "runs it again and compares",
                          [=](Command& c) { c.request.mutable_run_replay()->set_run(*replayed); });
-  needed(replay, "id", replayed, "number of the run, see runs");
+  needed(replay, "id", replayed, "number of the run, see runs", "ID");
   const auto student = value<std::string>();
   const auto since = value<std::string>();
   auto& journal = table.add("journal", "what a student did and what happened", [=](Command& c) {
     c.request.mutable_journal()->set_student(*student);
     c.request.mutable_journal()->set_since(*since);
   });
-  needed(journal, "name", student, "student");
-  journal.add_option("--since", *since, "local time, e.g. 2026-01-31T08:00");
+  needed(journal, "name", student, "student", "NAME");
+  journal.add_option("--since", *since, "local time, e.g. 2026-01-31T08:00")->type_name("TIME");
 }
 
 }  // namespace

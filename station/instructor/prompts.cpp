@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "station/client.hpp"
+#include "station/utf8.hpp"
 
 namespace cnclab::instructor {
 namespace {
@@ -60,9 +61,13 @@ std::expected<std::string, Failure> password_in(const std::filesystem::path& fil
   std::ifstream stream(file);
   std::string line;
   if (!std::getline(stream, line) || line.empty()) {
-    return std::unexpected(Failure{kUsage, file.string() + ": no password in the first line of the file"});
+    return std::unexpected(Failure{kUsage, file.string() + own_words({": kein Passwort in der ersten Zeile",
+                                                                      ": no password in the first line of the file"})});
   }
   if (line.ends_with('\r')) line.pop_back();
+  if (station::line_not_utf8(line)) {
+    return std::unexpected(Failure{kUsage, file.string() + ":1: " + own_words(station::kNotUtf8)});
+  }
   return line;
 }
 
@@ -83,7 +88,9 @@ std::optional<std::string> ask_secret(const std::string& question) {
   auto secret = read_line(terminal.get());
   std::fseek(terminal.get(), 0, SEEK_CUR);
   write(terminal.get(), "\n");
-  return secret;
+  if (!secret || !station::line_not_utf8(*secret)) return secret;
+  write(terminal.get(), own_words(station::kNotUtf8Typed) + "\n");
+  return std::nullopt;
 }
 
 std::optional<std::string> ask_new_password() {

@@ -18,11 +18,13 @@ void add_student_add(CommandTable& student) {
     request->set_role(*role);
     request->set_language(*language);
   });
-  needed(add, "name", name, "login name");
-  add.add_option("--password-file", *file, "password in the first line")->check(CLI::ExistingFile);
+  needed(add, "name", name, "login name", "NAME");
+  add.add_option("--password-file", *file, "password in the first line")->type_name("FILE")->check(CLI::ExistingFile);
   add.add_flag("--must-change", *must_change, "to be changed at the first login");
-  add.add_option("--role", *role, "role")->check(CLI::IsMember({"student", "observer", "instructor"}));
-  add.add_option("--language", *language, "language")->check(CLI::IsMember({"de", "en"}));
+  add.add_option("--role", *role, "role")
+      ->type_name("student|observer|instructor")
+      ->check(CLI::IsMember({"student", "observer", "instructor"}));
+  add.add_option("--language", *language, "language")->type_name("de|en")->check(CLI::IsMember({"de", "en"}));
 }
 
 void add_student_set(CommandTable& student) {
@@ -38,9 +40,13 @@ void add_student_set(CommandTable& student) {
         request->set_model(*model);
         request->set_language(*language);
       });
-  needed(set, "name", name, "login name");
-  set.add_option("--model", *model, "model of the control")->check(CLI::IsMember({"3300", "3250", "lab"}));
-  set.add_option("--language", *language, "language")->check(CLI::IsMember({"de", "en", "lab"}));
+  needed(set, "name", name, "login name", "NAME");
+  set.add_option("--model", *model, "model of the control")
+      ->type_name("3300|3250|lab")
+      ->check(CLI::IsMember({"3300", "3250", "lab"}));
+  set.add_option("--language", *language, "language")
+      ->type_name("de|en|lab")
+      ->check(CLI::IsMember({"de", "en", "lab"}));
 }
 
 void add_roster(CommandTable& table) {
@@ -56,43 +62,43 @@ void add_roster(CommandTable& table) {
     c.request.mutable_student_remove()->set_name(*removed);
     c.request.mutable_student_remove()->set_erase(*erase);
   });
-  needed(remove, "name", removed, "login name");
+  needed(remove, "name", removed, "login name", "NAME");
   remove.add_flag("--erase", *erase, "deletes for good, programs too");
   const auto restored = value<std::string>();
   auto& restore = student.add("restore", "brings an archived one back",
                               [=](Command& c) { c.request.mutable_student_restore()->set_name(*restored); });
-  needed(restore, "name", restored, "login name");
+  needed(restore, "name", restored, "login name", "NAME");
   const auto from = value<std::string>();
   const auto to = value<std::string>();
   auto& rename = student.add("rename", "gives another name", [=](Command& c) {
     c.request.mutable_student_rename()->set_name(*from);
     c.request.mutable_student_rename()->set_new_name(*to);
   });
-  needed(rename, "name", from, "login name");
-  needed(rename, "new_name", to, "new login name");
+  needed(rename, "name", from, "login name", "NAME");
+  needed(rename, "new_name", to, "new login name", "NAME");
   const auto forgetful = value<std::string>();
   auto& password = student.add("password", "prints a new one-time password",
                                [=](Command& c) { c.request.mutable_student_password()->set_name(*forgetful); });
-  needed(password, "name", forgetful, "login name");
+  needed(password, "name", forgetful, "login name", "NAME");
 }
 
 void add_roster_files(CommandTable& table) {
   const auto roster = value<std::string>();
   auto& import = table.add("import", "adds everybody of a list, or nobody",
                            [=](Command& c) { c.request.mutable_import()->set_csv(content_of(*roster)); });
-  needed(import, "file", roster, "CSV with name,password,language")->check(CLI::ExistingFile);
+  needed(import, "file", roster, "CSV with name,password,language", "FILE")->check(CLI::ExistingFile);
   const auto target = value<std::string>();
   auto& exported = table.add("export", "writes the roster", [=](Command& c) {
     c.request.mutable_export_();
     c.content_file = *target;
   });
-  needed(exported, "file", target, "CSV to write");
+  needed(exported, "file", target, "CSV to write", "FILE");
   const auto copy = value<std::string>();
   auto& backup = table.add("backup", "a consistent copy of the database", [=](Command& c) {
     c.request.mutable_backup();
     c.content_file = *copy;
   });
-  needed(backup, "file", copy, "file to write");
+  needed(backup, "file", copy, "file to write", "FILE");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "instructor/prompts.hpp"
+#include "instructor/tape_parts.hpp"
 #include "shared/frame.hpp"
 #include "shared/screen_wire.hpp"
 #include "station/login.hpp"
@@ -17,6 +18,8 @@ using station::Client;
 using station::ExitCode;
 template <class T>
 using Result = std::expected<T, Failure>;
+
+constexpr station::Text kLineLost{"die Verbindung zum Server ist verloren: ", "the line to the server is lost: "};
 
 Failure failure(ExitCode code, std::string text) { return {static_cast<int>(code), std::move(text)}; }
 
@@ -38,8 +41,7 @@ awaitable<Result<v1::ServerMessage>> next_message(Client& client) {
       co_await client.write(alive);
     }
   } catch (const boost::system::system_error& error) {
-    co_return std::unexpected(
-        failure(ExitCode::server_ended, "the line to the server is lost: " + error.code().message()));
+    co_return std::unexpected(failure(ExitCode::server_ended, own_words(kLineLost) + error.code().message()));
   }
 }
 
@@ -48,8 +50,7 @@ awaitable<Result<void>> send(Client& client, const v1::ClientMessage& message) {
     co_await client.write(message);
     co_return Result<void>();
   } catch (const boost::system::system_error& error) {
-    co_return std::unexpected(
-        failure(ExitCode::server_ended, "the line to the server is lost: " + error.code().message()));
+    co_return std::unexpected(failure(ExitCode::server_ended, own_words(kLineLost) + error.code().message()));
   }
 }
 
@@ -82,7 +83,9 @@ Result<void> take_answer(const v1::InstructorAnswer& answer, const Sink& sink, P
 }
 
 awaitable<Result<void>> take_chunk(Client& client, const v1::Chunk& chunk, BulkFile* file) {
-  if (file == nullptr) co_return std::unexpected(Failure{kRefused, "the server sent content that was not asked for"});
+  if (file == nullptr)
+    co_return std::unexpected(Failure{kRefused, own_words({"der Server hat ungefragt Inhalt geschickt",
+                                                           "the server sent content that was not asked for"})});
   const auto acknowledgement = file->take(chunk);
   v1::ClientMessage message;
   if (acknowledgement) {
@@ -122,11 +125,15 @@ awaitable<Result<Entry>> enter(const Access& access, Credentials credentials) {
 }
 
 awaitable<Result<void>> ask(Client& client, v1::InstructorRequest request, Sink sink, BulkFile* file) {
+  while (auto part = take_part(request)) {
+    Sink nothing_to_print = [](const v1::InstructorItem&) {};
+    const auto taken = co_await ask(client, std::move(*part), std::move(nothing_to_print), nullptr);
+    if (!taken) co_return taken;
+  }
   request.set_number(1);
   v1::ClientMessage message;
   *message.mutable_request() = std::move(request);
-  if (message.ByteSizeLong() > kLargestFrame)
-    co_return std::unexpected(Failure{kRefused, "the file is too large: at most 60000 bytes at a time"});
+  if (message.ByteSizeLong() > kLargestFrame) co_return std::unexpected(Failure{kRefused, own_words(kTooLarge)});
   const auto sent = co_await send(client, message);
   if (!sent) co_return sent;
   Progress progress;
@@ -139,7 +146,8 @@ awaitable<Result<void>> ask(Client& client, v1::InstructorRequest request, Sink 
     if (!taken) co_return taken;
   }
   if (file != nullptr && !file->is_complete()) {
-    co_return std::unexpected(Failure{kRefused, "the server sent no content"});
+    co_return std::unexpected(
+        Failure{kRefused, own_words({"der Server hat keinen Inhalt geschickt", "the server sent no content"})});
   }
   co_return Result<void>();
 }

@@ -16,6 +16,10 @@
 
 namespace cnclab::instructor {
 
+/// A roster or a tool list has to go in one message.
+inline constexpr station::Text kTooLarge{"die Datei ist zu groß: höchstens 60000 Bytes, bitte in mehrere teilen",
+                                         "the file is too large: at most 60000 bytes, please make several of it"};
+
 /// Who logs in. What is to be asked for on the terminal is asked before a connection is made: no server waits for a
 /// typist.
 struct Credentials {

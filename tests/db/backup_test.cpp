@@ -67,7 +67,10 @@ TEST(Restore, ADamagedOrMissingCopyChangesNothing) {
     std::ofstream(folder.path() / "bad.db") << "no database, but long enough to be looked at";
   }
   const std::string before = content(folder.file());
-  EXPECT_EQ(restore_database(folder.path() / "bad.db", folder.file()).error().kind, OpenError::Kind::damaged);
+  const auto refused = restore_database(folder.path() / "bad.db", folder.file());
+  EXPECT_EQ(refused.error().kind, OpenError::Kind::damaged);
+  EXPECT_NE(refused.error().text.find("Name another backup"), std::string::npos) << refused.error().text;
+  EXPECT_EQ(refused.error().text.find("--data"), std::string::npos) << refused.error().text;
   EXPECT_FALSE(restore_database(folder.path() / "none.db", folder.file()));
   EXPECT_EQ(content(folder.file()), before);
 }

@@ -189,29 +189,80 @@ void PrintTo(const BadRow& row, std::ostream* out) { *out << row.name; }
 
 class BadCommandLine : public testing::TestWithParam<BadRow> {};
 
-TEST_P(BadCommandLine, is_usage_and_says_what_is_wrong) {
+TEST_P(BadCommandLine, is_an_error_and_says_what_is_wrong) {
   const auto line = read_command_line(GetParam().arguments);
   ASSERT_FALSE(line);
-  EXPECT_EQ(line.error().exit_code, 2);
+  EXPECT_EQ(line.error().exit_code, 1) << "interfaces.md section 4";
+  EXPECT_THAT(line.error().text, testing::StartsWith("error: "));
   EXPECT_THAT(line.error().text, testing::HasSubstr(GetParam().told));
 }
 
 INSTANTIATE_TEST_SUITE_P(
     INS_005, BadCommandLine,
     testing::Values(BadRow{"SEAT-001 station 16", {"select", "16"}, "16"},
-                    BadRow{"SEAT-001 station 0", {"select", "0"}, "0"}, BadRow{"no station", {"select"}, "station"},
-                    BadRow{"unknown command", {"explode"}, "explode"}, BadRow{"no name", {"student", "add"}, "name"},
+                    BadRow{"SEAT-001 station 0", {"select", "0"}, "0"}, BadRow{"no station", {"select"}, "select 1-15"},
+                    BadRow{"unknown command", {"explode"}, "explode"}, BadRow{"no name", {"student", "add"}, "NAME"},
                     BadRow{"unknown role", {"student", "add", "a", "--role", "king"}, "king"},
                     BadRow{"input 9", {"input", "9", "on"}, "9"}, BadRow{"input ein", {"input", "0", "ein"}, "ein"},
                     BadRow{"missing file", {"program", "send", "/nowhere", "a"}, "/nowhere"},
-                    BadRow{"nothing to set", {"student", "set", "anna"}, "--model or --language is needed"},
+                    BadRow{"nothing to set", {"student", "set", "anna"}, "--model"},
                     BadRow{"all and names", {"program", "send", tape(), "a", "--all"}, "all"},
                     BadRow{"program 12345", {"program", "show", "a", "12345"}, "12345"},
                     BadRow{"machine data are sent by no tape", {"program", "collect", "/tmp", "MD"}, "MD"},
                     BadRow{"half a datum", {"machine-data", "06="}, "06="},
                     BadRow{"huge datum", {"machine-data", "06=99999999999999999999"}, "06="},
-                    BadRow{"two sizes", {"workpiece", "1", "2"}, "size"}, BadRow{"no text", {"message", "all"}, "text"},
+                    BadRow{"two sizes", {"workpiece", "1", "2"}, "X Y Z"},
+                    BadRow{"no text", {"message", "all"}, "TEXT"},
                     BadRow{"server without port", {"--server", "lab", "status"}, "HOST:PORT"}));
+
+struct FaultRow {
+  std::string typed, german, english;
+};
+
+void PrintTo(const FaultRow& row, std::ostream* out) { *out << row.typed; }
+
+class FaultyEntry : public testing::TestWithParam<FaultRow> {};
+
+TEST_P(FaultyEntry, is_explained_in_the_users_language) {
+  const auto& row = GetParam();
+  EXPECT_EQ(read_command(words_of(row.typed), station::Language::german).error(), row.german);
+  EXPECT_EQ(read_command(words_of(row.typed), station::Language::english).error(), row.english);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    INS_005, FaultyEntry,
+    testing::Values(FaultRow{"bogus command", "Den Befehl „bogus“ gibt es nicht.", R"(There is no command "bogus".)"},
+                    FaultRow{"select 16", "„16“ passt nicht zu 1-15. So: select 1-15 [--force]",
+                             R"("16" does not fit 1-15. Usage: select 1-15 [--force])"},
+                    FaultRow{"select", "Unvollständig oder widersprüchlich. So: select 1-15 [--force]",
+                             "Incomplete or contradictory. Usage: select 1-15 [--force]"},
+                    FaultRow{"halt now", "„now“ ist zu viel. So: halt", R"("now" is too much. Usage: halt)"},
+                    FaultRow{"workpiece 1 2", "„1 2“ passt nicht zu X Y Z. So: workpiece [X Y Z]",
+                             R"("1 2" does not fit X Y Z. Usage: workpiece [X Y Z])"},
+                    FaultRow{"program send /nowhere anna",
+                             "„/nowhere“ gibt es nicht. So: program send FILE [NAME…] [--all] [--replace]",
+                             R"("/nowhere" does not exist. Usage: program send FILE [NAME…] [--all] [--replace])"},
+                    FaultRow{"student",
+                             "Unvollständig oder widersprüchlich. So: student add|set|remove|restore|rename|password",
+                             "Incomplete or contradictory. Usage: student add|set|remove|restore|rename|password"},
+                    FaultRow{"", "Einen Befehl eingeben, z. B. students.", "A command is needed, e.g. students."}));
+
+TEST(CommandLine, INS_005_files_that_are_not_UTF_8_are_refused_with_their_line) {
+  const std::string latin1 = "anna\nm\xfcller\n";
+  const auto file = file_with("latin1", latin1);
+  for (const auto& arguments : {std::vector<std::string>{"import", file},
+                                {"program", "send", file, "anna"},
+                                {"tools", file},
+                                {"student", "add", "anna", "--password-file", file}}) {
+    const auto line = read_command_line(arguments);
+    ASSERT_FALSE(line) << arguments.front();
+    EXPECT_EQ(line.error().exit_code, 1);
+    EXPECT_THAT(line.error().text, testing::StartsWith("error: " + file + ":2: ")) << arguments.front();
+    EXPECT_THAT(line.error().text, testing::HasSubstr("UTF-8"));
+  }
+  EXPECT_THAT(read_command_line({"message", "all", "Gr\xfc\xdf Gott"}).error().text, testing::HasSubstr("UTF-8"));
+  EXPECT_TRUE(read_command_line({"message", "all", "Grüß Gott"}));
+}
 
 TEST(ProgramNumber, BLK_007_has_up_to_four_digits_with_or_without_P) {
   EXPECT_EQ(program_number("P0001"), 1U);

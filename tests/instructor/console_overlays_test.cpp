@@ -109,6 +109,28 @@ TEST(ConsoleWatching, INS_002_a_stations_screen_fills_the_console_until_a_key) {
   EXPECT_EQ(back.model.overlay, Overlay::none);
 }
 
+TEST(ConsoleWatching, INS_002_the_answer_to_the_end_of_watching_leaves_the_table_as_it_is) {
+  v1::InstructorRequest request;
+  request.mutable_watch()->set_station(7);
+  const Reaction back = react(with_answer(connected(), request, {}), Typed{U'q'});
+  v1::InstructorAnswer done;
+  done.add_items()->mutable_done()->set_ok(true);
+  const ConsoleModel model = with_answer(back.model, *back.request, done);
+  EXPECT_EQ(model.overlay, Overlay::none);
+  EXPECT_EQ(asked(react(model, Typed{U'h'})), "halt { }");
+  EXPECT_TRUE(react(model, Typed{U'q'}).quits);
+}
+
+TEST(ConsoleWatching, AUTH_006_h_stops_while_a_screen_is_watched_and_the_screen_stays) {
+  v1::InstructorRequest request;
+  request.mutable_watch()->set_station(7);
+  const Reaction stopped = react(with_answer(connected(), request, {}), Typed{U'h'});
+  EXPECT_EQ(asked(stopped), "halt { }");
+  EXPECT_TRUE(stopped.is_urgent);
+  EXPECT_EQ(stopped.model.overlay, Overlay::watching);
+  EXPECT_EQ(stopped.model.watched.station, 7);
+}
+
 TEST(ConsoleWatching, INS_002_keys_go_to_the_keyboard_taken_over_until_F8) {
   v1::InstructorRequest request;
   request.mutable_take()->set_station(7);

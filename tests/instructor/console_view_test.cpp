@@ -52,9 +52,25 @@ ConsoleModel lesson() {
 TEST(ConsoleView, INS_001_every_seat_has_a_line_with_who_what_and_control) {
   const Screen screen = draw_console(lesson()).screen;
   EXPECT_EQ(trimmed(screen, 1), "  Pl Name         Betriebsart      Programm   Netz  Hand Taste     Fehl Maschine");
-  EXPECT_EQ(trimmed(screen, 8), "   7 anna         AUTOMAT         ●P0001 N003 ja         EINZELSAT      ►");
+  EXPECT_EQ(trimmed(screen, 8), "   7 anna         AUTOMAT         ●P0001 N003 ja         EINZELS.       ►");
   EXPECT_EQ(trimmed(screen, 10), "   9 otto         EINGABEMODUS                FEHLT 1.               2");
   EXPECT_EQ(trimmed(screen, 16), "  15 (frei)");
+}
+
+TEST(ConsoleView, INS_001_the_name_of_every_key_fits_its_column) {
+  for (int number = 1; number <= kKeys; ++number) {
+    const std::string name(name_of(static_cast<Key>(number)));
+    ConsoleModel model = lesson();
+    model.status->mutable_stations(0)->set_last_key(name);
+    const Screen screen = draw_console(model).screen;
+    std::string shown;
+    for (int column = 57; column < 67; ++column) shown += to_utf8(screen.at(8, column).code);
+    shown.erase(shown.find_last_not_of(' ') + 1);
+    if (name.size() <= 9)
+      EXPECT_EQ(shown, name);
+    else
+      EXPECT_FALSE(name.starts_with(shown)) << "cut: " << shown;
+  }
 }
 
 TEST(ConsoleView, INS_001_no_row_of_keys_is_cut) {

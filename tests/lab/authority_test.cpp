@@ -175,14 +175,14 @@ TEST(Authority, AUTH_002_EveryWayOfLeavingEndsTheLease) {
 TEST(Authority, AUTH_006_HaltLatchesUntilWhoPressedOrTheInstructorReleases) {
   Scene scene;
   scene.grant_to(1, kFirst);
-  ASSERT_TRUE(find<Latch>(scene.apply(HaltPressed{kSecond, "Platz 2"})));
+  ASSERT_TRUE(find<Latch>(scene.apply(HaltPressed{kSecond, "udo", 2})));
   EXPECT_TRUE(scene.authority.is_halted());
   EXPECT_TRUE(find<Refuse>(scene.apply(HaltCleared{kFirst})));
   EXPECT_TRUE(scene.authority.is_halted());
   const auto released = find<Latch>(scene.apply(HaltCleared{kSecond}));
   ASSERT_TRUE(released);
   EXPECT_FALSE(released->on);
-  scene.apply(HaltPressed{kSecond, "Platz 2"});
+  scene.apply(HaltPressed{kSecond, "udo", 2});
   EXPECT_TRUE(find<Latch>(scene.apply(HaltCleared{kNoLogin})));
   EXPECT_FALSE(scene.authority.is_halted());
   EXPECT_EQ(scene.authority.selected(), 1) << "a halt does not move the selector";
@@ -190,9 +190,17 @@ TEST(Authority, AUTH_006_HaltLatchesUntilWhoPressedOrTheInstructorReleases) {
 
 TEST(Authority, AUTH_006_AHaltStopsEveryTimeAndKeepsItsFirstCause) {
   Scene scene;
-  scene.apply(HaltPressed{kFirst, "Platz 1"});
-  EXPECT_TRUE(find<Latch>(scene.apply(HaltPressed{kSecond, "Platz 2"})));
-  EXPECT_EQ(scene.authority.halted_by(), "Platz 1");
+  scene.apply(HaltPressed{kFirst, "eva", 1});
+  EXPECT_TRUE(find<Latch>(scene.apply(HaltPressed{kSecond, "udo", 2})));
+  EXPECT_EQ(scene.authority.halted_by(language::Tongue::german), "Platz 1, eva");
+  EXPECT_EQ(scene.authority.halted_by(language::Tongue::english), "station 1, eva");
+  const auto refused = find<Refuse>(scene.apply(HaltCleared{kSecond}));
+  ASSERT_TRUE(refused);
+  EXPECT_TRUE(refused->german.contains("(Platz 1, eva)")) << refused->german;
+  EXPECT_TRUE(refused->english.contains("by station 1, eva or")) << refused->english;
+  scene.apply(HaltCleared{kNoLogin});
+  scene.apply(HaltPressed{kNoLogin, "lehrer"});
+  EXPECT_EQ(scene.authority.halted_by(language::Tongue::english), "lehrer");
 }
 
 TEST(Authority, AUTH_015_GrantsRefusalsLossesStopsAndPowerAreJournalled) {
@@ -207,7 +215,7 @@ TEST(Authority, AUTH_015_GrantsRefusalsLossesStopsAndPowerAreJournalled) {
   EXPECT_TRUE(kinds(scene.apply(Accept{kFirst})).contains("grant"));
   scene.machine.moving = true;
   EXPECT_TRUE(kinds(scene.apply(Select{2})).contains("refused"));
-  EXPECT_TRUE(kinds(scene.apply(HaltPressed{kSecond, "Platz 2"})).contains("halt"));
+  EXPECT_TRUE(kinds(scene.apply(HaltPressed{kSecond, "udo", 2})).contains("halt"));
   EXPECT_TRUE(kinds(scene.apply(HaltCleared{kNoLogin})).contains("halt_cleared"));
   EXPECT_TRUE(kinds(scene.apply(PowerSwitched{false})).contains("power_off"));
   EXPECT_TRUE(kinds(scene.apply(LoggedOut{kFirst, "line lost"})).contains("lease_ended"));

@@ -195,5 +195,24 @@ TEST_F(Cassettes, DEC_33_TheTapeIsSavedOnEjectingAndWithTheStateWhileItTurns) {
   EXPECT_THAT(picture(), HasSubstr("1 in den Rekorder einlegen"));
 }
 
+TEST(CassetteLine, TheSameSizeOnTheShelfAndInTheRecorderAndNothingForAnEmptyOne) {
+  const auto shown = [](const transfer::Cassette& cassette, bool is_inserted) {
+    db::StoredCassette stored;
+    stored.name = "K01";
+    stored.is_inserted = is_inserted;
+    stored.bytes = cassette.serialized().size();
+    const std::string line =
+        cassette_line(stored, is_inserted ? std::optional(cassette) : std::nullopt, language::Tongue::german);
+    return line.substr(0, line.find("KB"));
+  };
+  transfer::Cassette cassette;
+  EXPECT_EQ(shown(cassette, false), "K01      0 ");
+  EXPECT_EQ(shown(cassette, true), "K01      0 ");
+  constexpr std::uint32_t kBehindTheLeader_ms = 10'000;
+  ASSERT_TRUE(cassette.record(kBehindTheLeader_ms, std::string(1500, 'x')));
+  EXPECT_EQ(shown(cassette, false), "K01      2 ");
+  EXPECT_EQ(shown(cassette, true), "K01      2 ");
+}
+
 }  // namespace
 }  // namespace cnclab::lab

@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "shared/screen_wire.hpp"
+
 namespace cnclab::lab {
 
 const v1::LoginAnswer* Caller::login() const {
@@ -130,6 +132,7 @@ void SmallLab::look(Caller& caller) {
       lab_->receive(caller.visit, reply);
     } else if (message.has_screen()) {
       caller.state = message.screen().state();
+      caller.screen = apply_rows(caller.screen, message.screen()).value();
       caller.handled = std::max(caller.handled, message.screen().handled_key());
       reply.mutable_screen_ack()->set_number(message.screen().number());
       lab_->receive(caller.visit, reply);

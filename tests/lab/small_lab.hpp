@@ -13,6 +13,7 @@
 #include "lab/lab.hpp"
 #include "shared/frame.hpp"
 #include "shared/key.hpp"
+#include "shared/screen.hpp"
 
 namespace cnclab::lab {
 
@@ -31,6 +32,7 @@ struct Caller {
   std::shared_ptr<Visit> visit;
   std::uint64_t beat = 0, state = 0, handled = 0;  ///< noted by `SmallLab::look`
   std::uint64_t number = 0;                        ///< of the last key struck
+  Screen screen;                                   ///< taken in by `SmallLab::look`
 
   [[nodiscard]] const v1::LoginAnswer* login() const;
 };

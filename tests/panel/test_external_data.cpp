@@ -86,6 +86,67 @@ TEST_F(ExternalData, MachineDataComeBackOnlyWithTheSign_EXT_026_KEY_066) {
   EXPECT_THAT(bench.picture(), HasSubstr("500000"));
 }
 
+// A file is read faster than a key is pressed: its machine data are chosen at the prompt.
+TEST_F(ExternalData, MachineDataOfAFileAreChosenAtThePrompt_EXT_026_KEY_066_MD_006) {
+  constexpr std::string_view kChosen = "MIT MASCHINENDATEN (MD)";
+  bench.media["SPEICHER.nc"] = "P0001\nN001G05\nMD\nN06=1234\n%\n";
+  const auto f_max = [&] { return bench.control.data().get(6); };
+  const std::int64_t before = f_max();
+  bench.keys("8 CLEAR ENTER");
+  EXPECT_EQ(bench.row(18), "Gelesen und gespeichert: 1 Programme. Gerät wählen.");
+  bench.keys("8 SIGN");
+  EXPECT_EQ(bench.monitor(10), kChosen);
+  bench.keys("SIGN");  // and not after all
+  EXPECT_EQ(bench.monitor(10), "");
+  bench.keys("CLEAR ENTER");
+  EXPECT_EQ(f_max(), before);
+  bench.keys("8 SIGN CLEAR");
+  EXPECT_EQ(bench.monitor(10), kChosen);
+  EXPECT_THAT(bench.row(19), HasSubstr("+/- Maschinendaten übernehmen"));
+  bench.keys("ENTER");
+  EXPECT_EQ(f_max(), 1234);
+  EXPECT_THAT(bench.row(18), HasSubstr("dazu die Maschinendaten (MD)."));
+  bench.keys("8");
+  EXPECT_EQ(bench.monitor(10), "") << "each reading is chosen anew";
+}
+
+TEST_F(ExternalData, TheSignAtThePromptHoldsForACassetteToo_EXT_026) {
+  write_cassette("CLEAR");
+  set_x_travel(400'000);
+  rewind();
+  bench.keys("6 CLEAR SIGN ENTER");
+  until("Gelesen");
+  EXPECT_EQ(bench.control.data().get(3), 500'000);
+}
+
+TEST_F(ExternalData, OnlyAnInputHasTheSignAndOnlyTheLeaderTheArrow_KEY_090) {
+  bench.keys("2");
+  EXPECT_THAT(bench.row(19), Not(HasSubstr("+/-")));
+  bench.keys("CLEAR 1");
+  (void)bench.control.press(Key::ENTER, bench.now);
+  bench.run_for(6000);
+  EXPECT_EQ(bench.row(19), " STOP abbrechen   → Vorspann zu Ende");
+  bench.control.release(Key::ENTER, bench.now);
+  bench.run_for(1100);
+  EXPECT_EQ(bench.row(19), " STOP abbrechen");
+  bench.keys("SIGN");
+  EXPECT_THAT(bench.row(18), HasSubstr("+/- wirkt erst danach")) << "until the transfer is over:";
+  until("Ausgabe beendet");
+  rewind();
+  bench.keys("6 1 ENTER");
+  bench.run_for(500);
+  EXPECT_THAT(bench.picture(), HasSubstr(" STOP abbrechen   +/- Maschinendaten übernehmen"));
+}
+
+TEST(ExternalDataOnLabMachine, TheSignSaysWhyNoMachineDataComeAlong_DEC_39) {
+  Bench bench({.is_lab_machine = true});
+  bench.control.connect_media(true);
+  bench.media["SPEICHER.nc"] = "P0001\nN001G05\nMD\nN06=1234\n%\n";
+  bench.keys("EXTERNE_DATEN 8 CLEAR SIGN");
+  EXPECT_EQ(bench.row(18), "Das geht nicht, solange dieser Platz die Maschine im Raum hat.");
+  EXPECT_EQ(bench.monitor(10), "");
+}
+
 TEST_F(ExternalData, ADashTurnsWhileAProgramIsRead_SCR_048_D_106) {
   write_cassette("CLEAR 1");
   rewind();
@@ -171,6 +232,34 @@ TEST_F(ExternalData, WhatIsWrongOrTooMuchLeavesTheMemoryAsItWas_DEC_57) {
   EXPECT_EQ(bench.stores(), 0);
 }
 
+// DEC-30, EXT-049: the control skips small letters; row 18 tells that it did.
+TEST_F(ExternalData, SmallLettersOfADisketteAreSkippedAndTold_DEC_30) {
+  bench.media["P0004.nc"] = "P0004 (Nut links)\nN001 G01 X+1000 hallo\n%\n";
+  bench.keys("8 CLEAR 4 ENTER");
+  EXPECT_THAT(memory(), HasSubstr("P0004\nN001G01X+1000\n"));
+  EXPECT_EQ(bench.row(18), "Gelesen und gespeichert: 1 Programme. Gerät wählen. Kleinbuchstaben hat die");
+  EXPECT_EQ(bench.row(19), "Steuerung überlesen.");
+  bench.media["P0005.nc"] = "P0005 (Nut rechts)\nN001 G01 X+1000\n%\n";
+  bench.keys("8 CLEAR 5 ENTER");
+  EXPECT_EQ(bench.row(18), "Gelesen und gespeichert: 1 Programme. Gerät wählen.") << "comments are no loss";
+  bench.media["P0006.nc"] = "hallo";
+  bench.keys("8 CLEAR 6 ENTER");
+  EXPECT_THAT(bench.row(18) + " " + bench.row(19), HasSubstr("Kleinbuchstaben hat die Steuerung überlesen."));
+}
+
+TEST_F(ExternalData, AReservedNumberIsLeftOutAndTold_DEC_06) {
+  bench.media["P9985.nc"] = "P9985\nN001G05\n%\n";
+  bench.keys("8 CLEAR 9 9 8 5 ENTER");
+  EXPECT_EQ(bench.monitor(15), "Reserviert fuer Zyklen");
+  EXPECT_THAT(bench.row(18), HasSubstr("P9981 bis P9989"));
+  bench.media["SPEICHER.nc"] = "P0001\nN001G05\nP9985\nN001G05\n%\n";
+  bench.keys("8 CLEAR ENTER");
+  EXPECT_EQ(memory(), "P0001\nN001G05\n");
+  EXPECT_THAT(bench.row(18) + " " + bench.row(19), HasSubstr("P9981 bis P9989"));
+  bench.keys("8 1 ENTER");
+  EXPECT_THAT(bench.row(18) + " " + bench.row(19), Not(HasSubstr("P9981"))) << "nobody asked for it";
+}
+
 TEST_F(ExternalData, AStoreThatFailsEndsTheTransfer) {
   bench.media["P0005.nc"] = "P0005N001G05%";
   bench.fail_next_store("Platte voll");
@@ -217,7 +306,14 @@ TEST(ExternalData3250, HasNeitherPrinterNorPunchedTape_MODEL_004_005) {
   Bench bench({.settings = {.vocabulary = {.model = language::Model::cnc3250}}});
   bench.control.connect_media(true);
   bench.keys("EXTERNE_DATEN");
-  for (const char* key : {"1", "3", "7", "5", "9"}) {
+  EXPECT_THAT(bench.picture(), Not(HasSubstr("DRUCKER")));
+  EXPECT_THAT(bench.picture(), Not(HasSubstr("LOCHSTREIFEN")));
+  EXPECT_EQ(bench.row(19), " 2 Gerät   4-6 Gerät   8-9 Gerät   MENU Menü");
+  for (const char* key : {"1", "3", "7"}) {
+    bench.keys(key);
+    EXPECT_THAT(bench.row(18), HasSubstr("keine Wirkung")) << key;
+  }
+  for (const char* key : {"5", "9"}) {
     bench.keys(key);
     EXPECT_THAT(bench.row(18), HasSubstr("nicht angeschlossen")) << key;
   }

@@ -90,6 +90,15 @@ struct Worker {
   }
 };
 
+TEST(Graphics, TheToolTableIsNoProgramThatRuns) {
+  for (const std::string_view mode : {"GRAFIK CLEAR 0 ENTER", "AUTOMAT CLEAR 0 ENTER"}) {
+    Bench bench({.tape = "P0000T001R+5000L+0%"});
+    bench.keys(mode);
+    EXPECT_EQ(bench.monitor(15), "Programm fehlt") << mode;
+    EXPECT_THAT(bench.row(18), HasSubstr("P0000 ist die Werkzeugtabelle, sie läuft nicht")) << mode;
+  }
+}
+
 TEST(Graphics, TheLabIsNeverHeldUp) {
   Worker worker;
   Bench bench({.settings = {.picture_work = worker.taking()}, .tape = std::string(kPart)});
@@ -148,6 +157,46 @@ TEST(Graphics, SYS_013_ThePictureLeavesAsSvgAndPdf) {
   EXPECT_EQ(files->files[1].name, "GRAFIK-P0001-XYZ.pdf");
   EXPECT_EQ(files->files[1].bytes.substr(0, 5), "%PDF-");
   EXPECT_FALSE(bench.control.poll(bench.now).picture) << "once";
+}
+
+// Row 16 tells of the picture that stands above it, not of the one to come.
+TEST(Graphics, Row16NamesTheViewOfThePictureAboveIt) {
+  Worker worker;
+  Bench bench({.settings = {.picture_work = worker.taking()}, .tape = std::string(kPart)});
+  const auto play_on = [&] {
+    worker.work();
+    bench.run_for(20);
+  };
+  bench.keys("GRAFIK ENTER START");
+  while (!bench.row(18).contains("Eilgang im Material")) play_on();
+  play_on();  // a portion that was begun before the end was known
+  const auto picture = [&] {
+    std::string rows;
+    for (int row = 2; row < 15; ++row) rows += bench.monitor(row) + "\n";
+    return rows;
+  };
+  const std::string seen_from_above = picture();
+  ASSERT_THAT(bench.monitor(15), HasSubstr("X-Y "));
+  bench.keys("2");
+  EXPECT_EQ(picture(), seen_from_above);
+  EXPECT_THAT(bench.monitor(15), HasSubstr("X-Y ")) << "nobody has drawn it anew";
+  EXPECT_TRUE(bench.control.is_busy()) << "the screen is to be looked at again";
+  worker.work();
+  EXPECT_TRUE(bench.control.is_busy()) << "drawn, but not taken over";
+  bench.run_for(20);
+  EXPECT_NE(picture(), seen_from_above);
+  EXPECT_THAT(bench.monitor(15), HasSubstr("X-Z "));
+  EXPECT_FALSE(bench.control.is_busy());
+}
+
+TEST(Graphics, Row16HasRoomForTheNumberOfFindingsOnLongRuns) {
+  Bench bench({.tape = "P0001N001G22P0002N001W24%P0002N001G22P0003N001W99%"
+                       "P0003N001G00X+200000N002G00X-200000%"});  // 2500 times 400 mm
+  bench.keys("GRAFIK ENTER START");
+  ASSERT_TRUE(bench.run_until([&] { return bench.monitor(15).contains("100 %"); })) << bench.picture();
+  const std::string row = bench.monitor(15);
+  EXPECT_THAT(row, HasSubstr("Weg 1000000 mm  "));
+  EXPECT_TRUE(row.ends_with("Meldungen 0")) << row;
 }
 
 /// With a real thread, under the thread sanitizer too.

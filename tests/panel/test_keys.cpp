@@ -7,6 +7,7 @@
 
 #include "bench.hpp"
 #include "panel/key_table.hpp"
+#include "panel/screen/names.hpp"
 
 namespace cnclab::panel {
 namespace {
@@ -95,7 +96,9 @@ const std::vector<Column> kColumns{
     {"HE", {Place::input_function, Place::input_word, Place::input_rest}},
     {"TI", {Place::teach_program, Place::teach_ready, Place::teach_word}},
     {"AU", {Place::automat_program, Place::automat_block, Place::automat_ready}},
-    {"XD", {Place::external_device, Place::external_program, Place::external_transfer}},
+    {"XD",
+     {Place::external_device, Place::external_write, Place::external_read, Place::external_transfer,
+      Place::external_leader, Place::external_reading}},
     {"GR", {Place::graphics_program, Place::graphics}},
     {"SL", {Place::erase_program, Place::erase_all}},
     {"EM", {Place::editor_program, Place::editor_number, Place::editor_function, Place::editor_word}},
@@ -171,13 +174,11 @@ TEST(KeyTable, KEY_011_012_013_StartStateOfEveryMode) {
 TEST(KeyTable, KEY_051_MemoryTest) {
   for (int number = 1; number <= kKeys; ++number) {
     const auto key = static_cast<Key>(number);
-    for (const Place place : {Place::memory_list, Place::memory_confirm}) {
-      const Effect expected = key == Key::SPEICHER_LOESCHEN ? Effect::test_memory
-                              : key == Key::MENU            ? Effect::open_menu
-                                                            : kNo;
-      EXPECT_EQ(effect_of(place, key), expected) << name_of(key);
-    }
-    EXPECT_EQ(effect_of(Place::memory_running, key), kNo) << name_of(key);
+    const Effect expected = key == Key::SPEICHER_LOESCHEN ? Effect::test_memory
+                            : key == Key::MENU            ? Effect::open_menu
+                                                          : kNo;
+    EXPECT_EQ(effect_of(Place::memory_list, key), expected) << name_of(key);
+    EXPECT_EQ(effect_of(Place::memory_running, key), key == Key::RESET ? Effect::reset : kNo) << name_of(key);
   }
 }
 
@@ -190,14 +191,23 @@ TEST(KeyTable, KEY_041_MODEL_003_006_KeysOfAbsentFunctions) {
   EXPECT_EQ(effect_of(Place::editor_word, Key::DOWN, small), kNo);
   EXPECT_EQ(effect_of(Place::editor_number, Key::DOWN, small), Effect::down) << "paging is no parameter";
   EXPECT_EQ(effect_of(Place::editor_word, Key::DOWN, plain), Effect::down);
+  for (const Key key : {Key::D1, Key::D3, Key::D7}) {
+    EXPECT_EQ(effect_of(Place::external_device, key, small), kNo) << "MODEL-004, MODEL-005";
+    EXPECT_EQ(effect_of(Place::external_device, key), Effect::digit);
+  }
+  for (const Key key : {Key::D2, Key::D4, Key::D5, Key::D6, Key::D8, Key::D9})
+    EXPECT_EQ(effect_of(Place::external_polled, key, small), Effect::digit) << name_of(key);
 }
 
 TEST(KeyTable, KeysOfAPlaceDoNotOverlap) {
-  for (const KeyRow& row : key_table())
-    for (const KeyRow& other : key_table())
-      if (&row != &other && row.place == other.place) {
-        EXPECT_TRUE(row.last < other.first || other.last < row.first) << name_of(row.first);
-      }
+  for (const language::Model model : {language::Model::cnc3300, language::Model::cnc3250}) {
+    const language::Vocabulary vocabulary{.model = model};
+    for (const KeyRow& row : key_table())
+      for (const KeyRow& other : key_table())
+        if (&row != &other && row.place == other.place && has_row(row, vocabulary) && has_row(other, vocabulary)) {
+          EXPECT_TRUE(row.last < other.first || other.last < row.first) << name_of(row.first);
+        }
+  }
 }
 
 /// The monitor and what is kept: an ignored key changes neither (KEY conventions).
@@ -218,7 +228,7 @@ constexpr Scene kScenes[] = {
     {"EM program", "EINGABE", Place::editor_program},
     {"EM number", "EINGABE ENTER", Place::editor_number},
     {"EM function", "EINGABE ENTER ENTER", Place::editor_function},
-    {"EM word", "EINGABE ENTER ENTER ENTER", Place::editor_word},
+    {"EM word", "EINGABE ENTER ENTER 0 1 ENTER", Place::editor_word},
     {"AU program", "AUTOMAT", Place::automat_program},
     {"AU block", "AUTOMAT ENTER", Place::automat_block},
     {"AU ready", "AUTOMAT ENTER ENTER", Place::automat_ready},
@@ -236,8 +246,7 @@ constexpr Scene kScenes[] = {
     {"SL", "SPEICHER_LOESCHEN", Place::erase_program},
     {"MDM", "ENTER+RESET", Place::machine_data},
     {"MT list", "3+6+9", Place::memory_list},
-    {"MT asked", "3+6+9 SPEICHER_LOESCHEN", Place::memory_confirm},
-    {"MT", "3+6+9 SPEICHER_LOESCHEN SPEICHER_LOESCHEN", Place::memory_running},
+    {"MT", "3+6+9 SPEICHER_LOESCHEN", Place::memory_running},
     {"SL all", "SPEICHER_LOESCHEN CLEAR", Place::erase_all},
 };
 
@@ -256,12 +265,64 @@ TEST(Keys, DEC_01_EveryPlaceHasASentenceAndItsKeysBelow) {
       std::string below;
       for (int row = 19; row < 24; ++row) below += bench.row(row) + " ";
       for (const KeyRow& entry : key_table()) {
-        if (entry.place != scene.place) continue;
+        if (entry.place != scene.place || !has_row(entry, setup.settings.vocabulary)) continue;
         const std::string help(text(entry.help, tongue));
         EXPECT_TRUE(below.contains(help)) << help << " is missing in\n" << bench.picture();
       }
     }
   }
+}
+
+std::string keys_below(const Bench& bench) {
+  std::string keys;
+  for (int row = 19; row < 24; ++row) keys += bench.row(row) + "\n";
+  return keys;
+}
+
+// The rows below list no key that does nothing where the marker stands (DEC-01, KEY-065).
+TEST(Keys, DEC_01_KEY_065_PointSignAndParameterAreListedWhereTheWordTakesThem) {
+  for (const std::string_view mode : {"EINGABE ENTER ENTER 0 1 ENTER", "HANDEINGABE ENTER"}) {
+    SCOPED_TRACE(std::string(mode));
+    Bench bench;
+    bench.keys(mode);
+    std::map<char, std::string> listed;  // by the word under the marker
+    for (const char letter : {'X', 'Y', 'Z', 'F', 'S', 'T', 'M'}) {
+      listed[letter] = keys_below(bench);
+      bench.keys("ENTER");
+    }
+    for (const char letter : {'X', 'Y', 'Z'}) {
+      EXPECT_TRUE(listed[letter].contains(" +/- ")) << letter << listed[letter];
+      EXPECT_TRUE(listed[letter].contains(" . ")) << letter << listed[letter];
+    }
+    for (const char letter : {'F', 'S', 'T', 'M'}) {
+      EXPECT_FALSE(listed[letter].contains(" +/- ")) << letter << listed[letter];
+      EXPECT_FALSE(listed[letter].contains(" . ")) << letter << listed[letter];
+    }
+  }
+}
+
+TEST(Keys, KEY_065_PointAndSignInAWholeNumberAreIgnoredWithAHint) {
+  Bench bench;
+  bench.keys("EINGABE ENTER ENTER 0 1 ENTER ENTER ENTER ENTER ENTER ENTER");
+  ASSERT_TRUE(bench.row(18).contains("Wort T")) << bench.row(18);
+  EXPECT_FALSE(keys_below(bench).contains("↓")) << "T takes no parameter";
+  EXPECT_TRUE(keys_below(bench).contains("EINGABE"));
+  const std::string before = bench.monitor(5) + bench.monitor(4);
+  for (const Key key : {Key::POINT, Key::SIGN, Key::DOWN}) {
+    bench.press(key);
+    EXPECT_EQ(bench.row(18), std::string(label_of(key)) + " hat hier keine Wirkung.");
+  }
+  EXPECT_EQ(bench.monitor(5) + bench.monitor(4), before);
+}
+
+TEST(Keys, DEC_06_ProgramsOfTheRomListNoKeyThatChangesThem) {
+  Bench bench;
+  bench.keys("EINGABE CLEAR 9 9 8 1 ENTER");
+  EXPECT_FALSE(keys_below(bench).contains("speichern")) << keys_below(bench);
+  EXPECT_FALSE(keys_below(bench).contains("SATZ LÖSCHEN")) << keys_below(bench);
+  EXPECT_TRUE(keys_below(bench).contains("SATZ SUCHEN")) << keys_below(bench);
+  bench.keys("EINGABE");
+  EXPECT_EQ(bench.monitor(15), "Reserviert fuer Zyklen") << "and still says why not";
 }
 
 TEST(Keys, SCR_022_ERR_043_RemoteLightsTheFieldOfExternalData) {

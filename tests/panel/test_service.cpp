@@ -145,14 +145,13 @@ TEST(Clock, D_33_WithoutADateNoDayChangesUntilOneIsSet) {
   EXPECT_FALSE(clock.set_date(now, 83, 2, 29));
 }
 
-TEST(MemoryTest, ERR_030_031_032_033_AsksErasesAndRunsUntilReset) {
+TEST(MemoryTest, ERR_030_031_032_033_ListsErasesAndRunsUntilReset) {
   Bench bench({.tape = std::string(kBild7)});
   bench.keys("3+6+9");
   ASSERT_EQ(bench.control.mode(), Mode::memory_test);
   EXPECT_EQ(bench.monitor(3), "PAGE 1   04096");
   EXPECT_EQ(bench.monitor(6), "PAGE 4   04096");
-  bench.keys("SPEICHER_LOESCHEN");
-  EXPECT_EQ(bench.stores(), 0) << "it asks first";
+  EXPECT_TRUE(bench.row(18).contains("zerstört den Speicherinhalt")) << bench.row(18);
   EXPECT_FALSE(bench.control.memory().programs().empty());
   bench.keys("SPEICHER_LOESCHEN");
   EXPECT_TRUE(bench.control.memory().programs().empty()) << "ERR-032";
@@ -163,6 +162,7 @@ TEST(MemoryTest, ERR_030_031_032_033_AsksErasesAndRunsUntilReset) {
     seen += bench.monitor(3).substr(0, 3);
   }
   EXPECT_EQ(seen, "00 FF 55 AA 00 ");
+  EXPECT_EQ(bench.row(19), " RESET Test beenden");
   EXPECT_EQ(bench.monitor(15), "");
   bench.keys("MENU ENTER SPEICHER_LOESCHEN");
   EXPECT_EQ(bench.control.mode(), Mode::memory_test);
@@ -173,14 +173,26 @@ TEST(MemoryTest, ERR_030_031_032_033_AsksErasesAndRunsUntilReset) {
 TEST(MemoryTest, ERR_006_034_AnInjectedFaultIsFound) {
   Bench bench;
   bench.control.set_ram_fault(true);
-  bench.keys("3+6+9 SPEICHER_LOESCHEN SPEICHER_LOESCHEN");
+  bench.keys("3+6+9 SPEICHER_LOESCHEN");
   bench.run_for(2500);
   EXPECT_EQ(bench.monitor(15), "PAGE 1 RAM DEFEKT");
 }
 
-TEST(MemoryTest, MenuBeforeTheConfirmationKeepsEverything) {
+TEST(MemoryTest, SCR_061_ThePagesOfTheLargestMemoryAreListedWhole) {
+  Bench bench({.settings = {.memory_bytes = 100'093}});
+  bench.keys("3+6+9");
+  std::string list;
+  for (int row = 3; row < 15; ++row) list += bench.monitor(row) + " \n";
+  for (int page = 1; page <= 24; ++page) {
+    const std::string line = "PAGE " + std::to_string(page) + "   04096 ";
+    EXPECT_TRUE(list.contains(line)) << page << "\n" << list;
+  }
+  EXPECT_TRUE(list.contains("PAGE 25   01789 ")) << list;
+}
+
+TEST(MemoryTest, MenuBeforeTheTestKeepsEverything) {
   Bench bench({.tape = std::string(kBild7)});
-  bench.keys("3+6+9 SPEICHER_LOESCHEN MENU");
+  bench.keys("3+6+9 MENU");
   EXPECT_EQ(bench.control.mode(), Mode::menu);
   EXPECT_EQ(bench.control.memory().free_bytes(), 16221);
 }

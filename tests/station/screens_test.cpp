@@ -19,6 +19,34 @@ TEST(CellText, Dec01LikenessesWithoutUnicode) {
   }
 }
 
+TEST(CellText, DEC_01_an_arrow_without_Unicode_is_two_characters_and_nothing_is_lost_behind_it) {
+  struct Row {
+    const char* stands;
+    const char* shown;
+  };
+  const Row rows[] = {{"Wort X eingeben, → zum nächsten. → weiter", "Wort X eingeben, -> zum nachsten. -> weiter"},
+                      {"→  Wort   ↓  Satz", "-> Wort   v  Satz"},
+                      {"│ DANACH →! │", "| DANACH ->!|"},
+                      {"│voll →!│", "|voll >!|"},
+                      {"→", "->"}};
+  for (const Row& row : rows) {
+    Screen screen;
+    screen.write(18, 2, row.stands);
+    const std::string reply = screen_reply(screen, true);
+    const std::string shown = row.shown;
+    EXPECT_NE(reply.find("|  " + shown + " "), std::string::npos) << reply;
+    EXPECT_NE(screen_reply(screen, false).find(row.stands), std::string::npos);
+  }
+}
+
+TEST(CellText, DEC_01_marks_move_with_the_text_behind_an_arrow) {
+  Screen screen;
+  screen.write(5, 0, "→ ");
+  screen.write(5, 2, "A", Attribute::inverse);
+  EXPECT_EQ(marks_reply(screen, false), "5 2 1\nend\n");
+  EXPECT_EQ(marks_reply(screen, true), "5 3 1\nend\n");
+}
+
 TEST(CellText, AnyCodePointIsOneHarmlessCell) {
   for (char32_t code = 0; code < 0x30000; ++code) {
     const char32_t ascii = shown_code(code, Glyphs::ascii);

@@ -43,10 +43,45 @@ TEST_F(Commands, INS_004_an_import_with_errors_names_every_line_and_adds_nobody)
   EXPECT_EQ(bad.exit_code, 1);
   for (const char* line : {"Zeile 1: ", "Zeile 2: ", "Zeile 4: ", "Zeile 5: "})
     EXPECT_THAT(bad.errors, HasSubstr(line));
+  const OneShot both = ask({"import", file("both.csv", "name,password,language\notto,,\nanna,kurz,\nemil,,fr\n,,\n")});
+  for (const char* line : {"Zeile 2: den Namen otto gibt es schon\n", "Zeile 3: ", "Zeile 4: ", "Zeile 5: "})
+    EXPECT_THAT(both.errors, HasSubstr(line));
   const OneShot known = ask({"import", file("known.csv", "berta\notto\n")});
   EXPECT_EQ(known.exit_code, 1);
   EXPECT_THAT(known.errors, HasSubstr("Zeile 2: "));
   EXPECT_EQ(must({"students"}).objects.size(), 2U) << "lehrer and otto";
+}
+
+TEST_F(Commands, INS_004_a_file_that_is_not_UTF_8_is_refused_with_its_line_and_nothing_is_sent) {
+  const auto roster = file("latin1.csv", "name,password,language\nm\xfcller,,\n");
+  const OneShot refused = ask({"import", roster});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.errors, testing::StartsWith("error: " + roster + ":2: "));
+  EXPECT_THAT(refused.errors, testing::Not(HasSubstr("protobuf")));
+  Instructor instructor = room_.instructor();
+  instructor.options().password_file = file("latin1-password", "gr\xfc\xdf");
+  const OneShot unreadable = instructor.run({"students"});
+  EXPECT_EQ(unreadable.exit_code, 1);
+  EXPECT_THAT(unreadable.errors, HasSubstr(":1: "));
+}
+
+TEST_F(Commands, INS_005_whatever_fails_a_command_prints_error_and_exits_1) {
+  const auto fails = [](const Instructor& instructor, const std::vector<std::string>& arguments) {
+    const OneShot failed = instructor.run(arguments);
+    EXPECT_EQ(failed.exit_code, 1) << failed.errors;
+    EXPECT_THAT(failed.errors, testing::StartsWith("error: "));
+    EXPECT_EQ(failed.output, "");
+  };
+  fails(room_.instructor(), {"select", "3"});
+  fails(room_.instructor(), {"select", "16"});
+  fails(room_.instructor(), {"bogus"});
+  Instructor unreachable = room_.instructor(), wrong_password = room_.instructor(), other_server = room_.instructor();
+  unreachable.options().server = "127.0.0.1:1";
+  fails(unreachable, {"status"});
+  wrong_password.options().password_file = file("wrong", "not the password");
+  fails(wrong_password, {"status"});
+  other_server.options().fingerprint = "SHA256:" + std::string(43, 'A');
+  fails(other_server, {"status"});
 }
 
 TEST_F(Commands, INS_004_a_renamed_student_logs_in_by_the_new_name_with_all_programs) {
@@ -64,7 +99,7 @@ TEST_F(Commands, DEC_08_a_student_has_the_model_and_the_language_that_the_instru
   EXPECT_TRUE(anna.shows("CNC 3250")) << anna.text();
   EXPECT_TRUE(anna.shows("all keys")) << anna.text();
   EXPECT_EQ(ask({"student", "set", "nobody", "--model", "3300"}).exit_code, 1);
-  EXPECT_EQ(ask({"student", "set", "anna"}).exit_code, 2);
+  EXPECT_EQ(ask({"student", "set", "anna"}).exit_code, 1);
 }
 
 TEST_F(Commands, INS_003_programs_are_sent_to_all_and_collected_from_all) {
@@ -88,6 +123,28 @@ TEST_F(Commands, DEC_06_a_tape_with_nothing_but_a_cycles_program_is_refused_with
   EXPECT_THAT(ask({"program", "send", file("tape", "P9981\nN001G91\n"), "anna"}).errors,
               HasSubstr("P9981 bis P9989 gehören den Zyklen"));
   EXPECT_THAT(ask({"program", "send", file("empty", "%\n"), "anna"}).errors, HasSubstr("kein Programm"));
+}
+
+TEST_F(Commands, INS_003_however_long_a_collected_file_is_it_can_be_sent_again) {
+  Classroom large("[lab]\nmemory_bytes = 99999\n");
+  large.add_student("anna");
+  large.add_student("otto");
+  std::string tape;
+  for (int program = 1; program <= 5; ++program) {
+    tape += "P000" + std::to_string(program) + "\n";
+    for (int block = 1; block <= 900; ++block)
+      tape += "N" + std::to_string(1000 + block).substr(1) + "G01X+1000Y-1000\n";
+    tape += "%\n";
+  }
+  ASSERT_GT(tape.size(), 65'536U);
+  large.instructor().must({"program", "send", file("long", tape), "anna"});
+  large.instructor().must({"program", "collect", folder_.path().string()});
+  EXPECT_EQ(read_file(folder_.path() / "anna.tape"), tape);
+  large.instructor().must({"program", "send", (folder_.path() / "anna.tape").string(), "otto"});
+  EXPECT_EQ(large.instructor().must({"programs", "otto"}).objects.size(), 5U);
+  // Nothing of a long file that was refused is left for the next one.
+  EXPECT_EQ(large.instructor().run({"program", "send", file("long", tape), "anna"}).exit_code, 1);
+  large.instructor().must({"program", "send", file("short", "P0009\nN001G00X+1000\n"), "anna"});
 }
 
 TEST_F(Commands, INS_003_a_program_that_does_not_fit_the_memory_is_refused_for_all) {
@@ -197,6 +254,8 @@ TEST_F(Commands, INS_002_watch_prints_the_stations_screen_as_it_changes) {
   ASSERT_TRUE(read_until("end"));
   anna.key("EINGABE");
   EXPECT_TRUE(read_until("EINGABEMODUS"));
+  must({"expel", "1"});
+  EXPECT_TRUE(read_until("An Platz 1 ist niemand angemeldet."));
 }
 
 TEST_F(Commands, STO_007_runs_on_both_machines_are_recorded_and_replayed_to_the_same_trajectory) {
@@ -228,6 +287,18 @@ TEST_F(Commands, STO_007_runs_on_both_machines_are_recorded_and_replayed_to_the_
     EXPECT_GT(replayed["ticks"], 300);
   }
   EXPECT_EQ(ask({"run", "replay", "999"}).exit_code, 1);
+  // A row for each tick, whether a trace was kept (the lab's machine) or not.
+  for (const auto& run : runs()) {
+    EXPECT_EQ(run["program"], "P0001");
+    const auto target = folder_.path() / "trace.csv";
+    must({"run", "trace", std::to_string(run["id"].get<int>()), target.string()});
+    const std::string csv = read_file(target);
+    EXPECT_THAT(csv, testing::StartsWith("t_s,x_mm,y_mm,z_mm,u_mm,feed_mm_min,spindle_rpm,program,block\n0.001,"));
+    const auto ticks = must({"run", "replay", std::to_string(run["id"].get<int>())}).objects.at(0)["ticks"].get<int>();
+    EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), ticks + 1) << run["machine"];
+    EXPECT_THAT(csv, HasSubstr(",1,4\n")) << "the last block";
+  }
+  EXPECT_EQ(ask({"run", "trace", "999", (folder_.path() / "none.csv").string()}).exit_code, 1);
 }
 
 TEST_F(Commands, INS_006_hands_stand_in_the_order_in_which_they_were_raised) {

@@ -63,6 +63,36 @@ TEST_F(ConsoleInTerminal, INS_002_a_station_is_watched_typed_at_locked_and_shown
   anna.wait_for("lehrer: Guten Morgen");
 }
 
+TEST_F(ConsoleInTerminal, INS_002_after_watching_the_table_is_back_and_every_key_works) {
+  StationProcess anna = room_.seat(7, "anna");
+  Terminal terminal = console();
+  terminal.wait_for("anna");
+  for (const char* key : {"q", " ", "7"}) {
+    terminal.type("7w");
+    terminal.wait_for("jede andere Taste");
+    terminal.type(key);
+    terminal.wait_gone("jede andere Taste");
+    anna.key("EINGABE");  // the answer to the end of watching has come when the table shows what was done after it
+    terminal.wait_for("EINGABEMODUS");
+    EXPECT_THAT(terminal.text(), testing::HasSubstr("LEHRERKONSOLE"));
+    anna.key("MENU");
+    terminal.wait_gone("EINGABEMODUS");
+  }
+  terminal.type("h");
+  terminal.wait_for("HALT: lehrer");
+  terminal.type("c");
+  terminal.wait_gone("HALT: lehrer");
+  terminal.type("7w");
+  terminal.wait_for("jede andere Taste");
+  terminal.type("h");
+  EXPECT_TRUE(eventually(kLimit, [&] { return room_.instructor().status()["halted_by"] == "lehrer"; }))
+      << "also while a screen is watched";
+  terminal.type("q");
+  terminal.wait_for("HALT: lehrer");
+  terminal.type("q");
+  EXPECT_EQ(terminal.wait(kLimit), 0);
+}
+
 TEST_F(ConsoleInTerminal, INS_001_last_key_and_errors_stand_beside_the_name) {
   StationProcess anna = room_.seat(7, "anna");
   Terminal terminal = console();
@@ -100,6 +130,13 @@ TEST_F(ConsoleInTerminal, INS_005_every_command_can_be_typed_and_its_answer_read
   terminal.type("q");
   terminal.wait_gone("\"role\"");
   const TemporaryFolder folder;
+  std::string tape = "P0007\n";
+  for (int block = 1; block <= 300; ++block)
+    tape += "N" + std::to_string(1000 + block).substr(1) + "G01X+1000Y-1000\n";  // longer than one piece
+  terminal.type(":program send " + folder.write("tape", tape).string() + " berta\r");
+  EXPECT_TRUE(eventually(kLimit, [&] {
+    return room_.instructor().run({"program", "show", "berta", "P0007"}).output == tape + "%\n";
+  })) << terminal.text();
   const auto copy = folder.path() / "copy.db";
   terminal.type(":backup " + copy.string() + "\r");
   EXPECT_TRUE(eventually(kLimit, [&] { return std::filesystem::exists(copy); })) << terminal.text();

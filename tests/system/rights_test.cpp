@@ -86,7 +86,7 @@ TEST_F(Rights, SEC_004_a_student_cannot_log_in_as_an_instructors_console) {
   Instructor pretender = room_.instructor();
   pretender.options().user = "anna";
   pretender.options().password_file = room_.passwords().file_of("anna");
-  EXPECT_EQ(pretender.run({"students"}).exit_code, 4);
+  EXPECT_EQ(pretender.run({"students"}).exit_code, 1);
 }
 
 TEST_F(Rights, SEAT_006_a_student_cannot_observe_another) {
@@ -109,6 +109,21 @@ TEST_F(Rights, SEAT_006_an_observer_sees_the_screen_and_can_do_nothing) {
   guest.wait_for("EINGABEMODUS");
   EXPECT_THAT(guest.send("key MENU").value_or("ended"), testing::StartsWith("error"));
   EXPECT_TRUE(otto.shows("EINGABEMODUS"));
+}
+
+TEST_F(Rights, SEAT_006_an_observer_of_an_empty_seat_is_told_so_until_somebody_comes) {
+  room_.instructor().must(
+      {"student", "add", "gast", "--role", "observer", "--password-file", room_.passwords().file_of("gast").string()});
+  StationOptions options = room_.station_options(0, "gast");
+  options.more = {"--observe", "2"};
+  StationProcess guest(options);
+  EXPECT_EQ(guest.screen().size(), 24U);
+  guest.wait_for("An Platz 2 ist niemand angemeldet.");
+  StationProcess otto = room_.seat(2, "otto");
+  guest.wait_for("CNC 3300");
+  otto.quit();
+  guest.wait_for("An Platz 2 ist niemand angemeldet.");
+  guest.quit();
 }
 
 TEST_F(Rights, INS_004_a_removed_student_cannot_log_in_until_restored_with_all_programs) {

@@ -72,6 +72,25 @@ TEST(ServerStart, a_port_in_use_is_told_with_the_remedy) {
   EXPECT_EQ(room.instructor().status()["selected"], 0) << "the first server goes on";
 }
 
+TEST(ServerStart, a_port_of_the_configuration_in_use_names_its_own_setting) {
+  Classroom room;
+  struct Row {
+    const char* section;
+    const char* key;
+  };
+  for (const auto& [section, key] : {Row{"dnc", "listen"}, Row{"server", "metrics"}}) {
+    const TemporaryFolder folder;
+    const std::string configuration =
+        std::string("[") + section + "]\n" + key + " = \"" + room.server().address() + "\"\n";
+    const auto second = ServerProcess::start(
+        {.data = folder.path() / "data", .log = {}, .port = 0, .configuration = configuration, .more = {}});
+    ASSERT_FALSE(second);
+    EXPECT_EQ(second.error().exit_code, 1);
+    EXPECT_THAT(second.error().log, HasSubstr(std::string("[") + section + "] " + key + " in lab.toml"));
+    EXPECT_THAT(second.error().log, testing::Not(HasSubstr("--listen")));
+  }
+}
+
 TEST(ServerStart, a_data_folder_that_cannot_be_made_is_told_with_the_remedy) {
   const TemporaryFolder folder;
   const auto file = folder.write("file", "not a folder");

@@ -74,6 +74,9 @@ TEST_P(Terminals, AsciiDrawsTheSameWithPlusMinusBar) {
   EXPECT_TRUE(terminal.row(0).starts_with("+--")) << terminal.text();
   EXPECT_TRUE(terminal.row(1).starts_with("|CNC 3300")) << terminal.text();
   EXPECT_NE(terminal.text().find("SPEICHER LOSCHEN"), std::string::npos) << terminal.text();
+  terminal.type("\t");  // EINGABE, whose sentence names the key
+  terminal.wait_for("EINGABEMODUS");
+  EXPECT_NE(terminal.text().find("->"), std::string::npos) << terminal.text();
   for (const char c : terminal.text()) ASSERT_TRUE(c == '\n' || (c >= ' ' && c <= '~')) << terminal.text();
 }
 

@@ -79,6 +79,10 @@ TEST_F(CheckTest, MachineDataDecideWhatIsTooFast) {
   const Said refused = tool("check - --machine-data " + broken, kPicture7);
   EXPECT_EQ(refused.exit_code, 1);
   EXPECT_THAT(refused.err, StartsWith(broken + ":1: "));
+  const Said all = tool("check - --machine-data " + write("all.md", "06 = fast\n07 = 100\n99 = 5\nx\n"), kPicture7);
+  EXPECT_EQ(all.exit_code, 1);
+  for (const char* place : {":1: ", ":3: MD 99", ":4: "}) EXPECT_THAT(all.err, HasSubstr(at("all.md") + place));
+  EXPECT_THAT(all.err, Not(HasSubstr(at("all.md") + ":2: ")));
   const Said late = tool("check - --machine-data " + write("late.md", "06 = 3000\n\n99 = 5\n"), kPicture7);
   EXPECT_EQ(late.exit_code, 1);
   EXPECT_THAT(late.err, StartsWith(at("late.md") + ":3: MD 99"));

@@ -139,5 +139,13 @@ TEST_F(VerifyTest, WhatIsNoDatabaseIsSaid) {
   EXPECT_EQ(tool("verify").exit_code, 2);
 }
 
+TEST_F(VerifyTest, STO_008_a_file_that_is_no_database_of_a_lab_is_told_without_a_remedy_that_does_not_help) {
+  const std::string file = write("x", "root:x:0:0\n");
+  const Said said = tool("verify " + file);
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(said.err, StartsWith(file + ": "));
+  EXPECT_THAT(said.err, Not(HasSubstr("--data")));
+}
+
 }  // namespace
 }  // namespace cnclab::tool

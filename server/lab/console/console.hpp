@@ -15,6 +15,9 @@
 
 namespace cnclab::lab {
 
+struct RecordedRun;
+struct ReplayResult;
+
 /// Works on the lab for the length of one message; answers that need the store come later, through the lab's thread.
 class Console {
  public:
@@ -79,6 +82,8 @@ class Console {
   void runs(const Reply& reply, const v1::StudentName& request) const;
   void run_trace(const Reply& reply, const v1::RunName& request) const;
   void run_replay(const Reply& reply, const v1::RunName& request) const;
+  /// Runs it again in the background; `then` gets the result on the lab's thread while the console is there.
+  void replay_then(const Reply& reply, RecordedRun run, std::function<void(const ReplayResult&)> then) const;
   void journal(const Reply& reply, const v1::JournalQuery& request) const;
   void backup(const Reply& reply) const;
 

@@ -1,8 +1,15 @@
 // Requests about stations: messages, screens, keyboards, who must go (INS-002, AUTH-016, SEC-007).
+#include <fmt/format.h>
+
 #include "cnclab/v1/envelope.pb.h"
 #include "lab/console/console_ask.hpp"
+#include "shared/screen.hpp"
 
 namespace cnclab::lab {
+
+namespace {
+constexpr std::size_t kLongestMessage = Screen::kColumns;  ///< behind any name it fits the two rows at the stations
+}  // namespace
 
 std::shared_ptr<Desk> Console::desk_at(const Reply& reply, std::uint32_t station) const {
   auto desk = lab_.seats_.at(static_cast<int>(station));
@@ -23,7 +30,15 @@ void Console::select(const Reply& reply, const v1::SelectStation& request) const
 }
 
 void Console::message(const Reply& reply, const v1::SendMessage& request) const {
-  const std::string text = request.text().substr(0, 200);
+  const std::string& text = request.text();
+  const std::size_t columns = from_utf8(text).size();
+  if (text.find_first_not_of(' ') == std::string::npos)
+    return send_error(reply, say(reply.tongue, "Die Nachricht ist leer.", "The message is empty."));
+  if (columns > kLongestMessage)
+    return send_error(
+        reply, fmt::format(fmt::runtime(say(reply.tongue, "Eine Nachricht hat höchstens {} Zeichen, diese hat {}.",
+                                            "A message has at most {} characters, this one has {}.")),
+                           kLongestMessage, columns));
   bool anybody = false;
   for (const auto& desk : lab_.seats_.all()) {
     if (request.station() != 0 && desk->station != static_cast<int>(request.station())) continue;

@@ -58,6 +58,24 @@ v1::InstructorItem datum_item(int number, std::int64_t value) {
   return item;
 }
 
+/// Why a datum does not take a value. `english` is the machine's own word for it.
+std::string datum_fault(int number, std::int64_t value, std::string_view english, language::Tongue tongue) {
+  const auto& forms = machine::datum_forms();
+  const auto form = std::ranges::find(forms, number, &machine::DatumForm::number);
+  const bool german = tongue == language::Tongue::german;
+  std::string why(english);
+  if (form == std::end(forms)) {
+    if (german) why = "diese Nummer gibt es nicht; es gibt 03-07, 09-12, 14-17, 19, 20 und 22";
+  } else if (value < form->least || value > form->most) {
+    why = fmt::format(fmt::runtime(german ? "{} bis {} ist möglich" : "{} to {} is possible"), form->least, form->most);
+  } else if (german) {
+    why = number == 19   ? "ENDSCHALTER POL ist 201 oder 51503"
+          : number == 20 ? "BAUDRATE ist 300, 600, 1200, 2400 oder 4800"
+                         : "F START/STOP wäre über F MAX";
+  }
+  return fmt::format("{:02}={}: {}", number, value, why);
+}
+
 }  // namespace
 
 void Console::status(const Reply& reply) const {
@@ -67,7 +85,7 @@ void Console::status(const Reply& reply) const {
   status.set_selected(static_cast<std::uint32_t>(authority.selected()));
   status.set_offered(static_cast<std::uint32_t>(authority.offered()));
   status.set_lease(static_cast<double>(static_cast<std::uint64_t>(authority.newest())));
-  status.set_halted_by(authority.halted_by());
+  status.set_halted_by(authority.halted_by(reply.tongue));
   status.set_shown(static_cast<std::uint32_t>(lab_.shown_station_));
   fill_machine(*status.mutable_machine(), lab_.machine_.snapshot(), authority);
   const auto ticks = lab_.ticks_.statistics();
@@ -150,7 +168,7 @@ void Console::machine_data(const Reply& reply, const v1::ChangeMachineData& requ
   machine::MachineData wished = newest;
   for (const auto& datum : request.data())
     if (const auto set = wished.set(static_cast<int>(datum.number()), datum.value()); !set)
-      return send_error(reply, fmt::format("{:02}={}: {}", datum.number(), datum.value(), set.error()));
+      return send_error(reply, datum_fault(static_cast<int>(datum.number()), datum.value(), set.error(), reply.tongue));
   // DEC-25: a stop from F MAX must not take longer than 2 s.
   const auto limits = machine::motion_limits(wished);
   if (limits.f_max_mm_per_s / limits.stop_deceleration_mm_per_s2 > 2.0)

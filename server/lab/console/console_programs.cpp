@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "lab/console/console_ask.hpp"
 #include "lab/labor/program_versions.hpp"
@@ -12,7 +13,7 @@ namespace cnclab::lab {
 
 namespace {
 
-constexpr std::size_t kLargestTape = 60'000;
+constexpr std::size_t kLargestTape = 4'000'000;  ///< more than the programs of the largest memory take as text
 
 std::string program_name(std::uint32_t number) { return fmt::format("P{:04}", number); }
 
@@ -163,11 +164,16 @@ void Console::program_versions(const Reply& reply, const v1::ProgramName& reques
 }
 
 void Console::program_send(const Reply& reply, const v1::ProgramSend& request) const {
-  if (request.tape().size() > kLargestTape)
-    return send_error(reply, say(reply.tongue, "Die Datei ist zu groß (höchstens 60000 Zeichen).",
-                                 "The file is too large (at most 60000 characters)."));
+  std::string& begun = reply.visit->tape;
+  if (begun.size() + request.tape().size() > kLargestTape) {
+    begun.clear();
+    return send_error(reply, say(reply.tongue, "Die Datei ist zu groß (höchstens 4000000 Zeichen).",
+                                 "The file is too large (at most 4000000 characters)."));
+  }
+  begun += request.tape();
+  if (request.more()) return send_done(reply);
   const auto tape = std::make_shared<const language::Tape>(
-      language::read_tape(request.tape(), language::Reading::file, reply.tongue));
+      language::read_tape(std::exchange(begun, {}), language::Reading::file, reply.tongue));
   if (!tape->errors.empty()) return send_error(reply, tape_error(tape->errors.front(), reply.tongue));
   if (tape->programs.empty())  // or none but what belongs to the cycles, as the notice says (DEC-06)
     return send_error(reply, !tape->notices.empty() ? tape->notices.front()

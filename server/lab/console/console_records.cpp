@@ -66,6 +66,13 @@ RecordedRun recorded(db::Database& database, std::int64_t number) {
   return run;
 }
 
+/// What a run executed, in the words of the keys where it was no stored program.
+std::string ran(int program) {
+  constexpr int kLastProgram = 9999;
+  if (program > kLastProgram) return "HANDEINGABE";
+  return program == 0 ? "HAND" : fmt::format("P{:04}", program);
+}
+
 v1::InstructorItem replay_item(std::uint32_t number, const ReplayResult& result) {
   v1::InstructorItem item;
   auto& replayed = *item.mutable_replay();
@@ -90,7 +97,7 @@ void Console::runs(const Reply& reply, const v1::StudentName& request) const {
           info.set_id(static_cast<std::uint32_t>(run.id));
           info.set_started(iso_time(run.started_ms));
           info.set_machine(run.machine);
-          info.set_program(fmt::format("P{:04}", run.program));
+          info.set_program(ran(run.program));
           info.set_seconds(run.seconds.value_or(0));
           info.set_ended(run.ended);
           items.push_back(item);
@@ -99,22 +106,47 @@ void Console::runs(const Reply& reply, const v1::StudentName& request) const {
       });
 }
 
+void Console::replay_then(const Reply& reply, RecordedRun run, std::function<void(const ReplayResult&)> then) const {
+  lab_.background_.enqueue(
+      [post = lab_.post_, alive = lab_.alive_, reply, run = std::move(run), then = std::move(then)] {
+        post([alive, reply, then, result = replay(run)] {
+          if (*alive && reply.visit->stage == Stage::at_console) then(result);
+        });
+      });
+}
+
+/// Of a run on the training machine, and of an old one, no trace is kept: the run once more has the same.
 void Console::run_trace(const Reply& reply, const v1::RunName& request) const {
+  struct Traced {
+    std::string packed;  ///< as it was kept; empty: `run` has to run once more
+    std::optional<RecordedRun> run;
+    std::array<double, 4> steps_per_mm{};
+  };
   ask_store(
       reply,
-      [run = static_cast<std::int64_t>(request.run())](db::Database& database) {
-        std::string trace = database.trace(run);
-        if (trace.empty())
-          throw Refusal{fmt::format("Von Lauf {} gibt es keine Spur.", run),
-                        fmt::format("There is no trace of run {}.", run)};
-        const auto record = database.run(run);
+      [number = static_cast<std::int64_t>(request.run())](db::Database& database) {
+        Traced traced{.packed = database.trace(number), .run = {}};
+        if (traced.packed.empty()) traced.run = recorded(database, number);
+        const auto record = database.run(number);
         const auto setup = nlohmann::json::parse(record ? record->setup : "", nullptr, false);
         const bool has_data = setup.is_object() && setup.contains("machine_data");
-        const auto limits =
-            machine::motion_limits(has_data ? machine_data_of(setup["machine_data"]) : machine::MachineData{});
-        return trace_csv(trace, limits.steps_per_mm);
+        traced.steps_per_mm =
+            machine::motion_limits(has_data ? machine_data_of(setup["machine_data"]) : machine::MachineData{})
+                .steps_per_mm;
+        return traced;
       },
-      [reply](const Console& console, const std::string& csv) { console.send_file(reply, csv); });
+      [reply, number = request.run()](const Console& console, Traced traced) {
+        if (!traced.run) return console.send_file(reply, trace_csv(traced.packed, traced.steps_per_mm));
+        const auto send_csv = [&lab = console.lab_, reply, number,
+                               steps_per_mm = traced.steps_per_mm](const ReplayResult& result) {
+          if (result.same) return Console(lab).send_file(reply, trace_csv(pack_trace(result.points), steps_per_mm));
+          Console(lab).send_error(reply,
+                                  fmt::format(fmt::runtime(say(reply.tongue, "Lauf {} ist nicht mehr nachzufahren: {}",
+                                                               "Run {} cannot be followed again: {}")),
+                                              number, result.detail));
+        };
+        console.replay_then(reply, std::move(*traced.run), send_csv);
+      });
 }
 
 void Console::run_replay(const Reply& reply, const v1::RunName& request) const {
@@ -123,14 +155,11 @@ void Console::run_replay(const Reply& reply, const v1::RunName& request) const {
       [number = static_cast<std::int64_t>(request.run())](db::Database& database) {
         return recorded(database, number);
       },
-      [reply, number = request.run()](const Console& console, const RecordedRun& run) {
-        Lab& lab = console.lab_;
-        lab.background_.enqueue([&lab, post = lab.post_, alive = lab.alive_, reply, number, run] {
-          post([&lab, alive, reply, number, result = replay(run)] {
-            if (*alive && reply.visit->stage == Stage::at_console)
-              Console(lab).send(reply, {replay_item(number, result)});
-          });
-        });
+      [reply, number = request.run()](const Console& console, RecordedRun run) {
+        const auto send_result = [&lab = console.lab_, reply, number](const ReplayResult& result) {
+          Console(lab).send(reply, {replay_item(number, result)});
+        };
+        console.replay_then(reply, std::move(run), send_result);
       });
 }
 

@@ -1,6 +1,5 @@
 // The roster read from and written to a file (INS-004): everybody of it is added, or nobody.
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "lab/console/console_ask.hpp"
 #include "lab/console/roster_csv.hpp"
@@ -11,23 +10,25 @@ namespace {
 
 constexpr std::size_t kMostErrors = 20;
 
-std::string joined(const std::vector<std::string>& errors) {
-  const std::size_t shown = std::min(errors.size(), kMostErrors);
-  std::string text =
-      fmt::format("{}", fmt::join(errors.begin(), errors.begin() + static_cast<std::ptrdiff_t>(shown), "\n"));
-  return errors.size() > shown ? text + fmt::format("\n… {}", errors.size() - shown) : text;
+std::string joined(const std::map<int, std::string>& errors) {
+  std::string text;
+  std::size_t shown = 0;
+  for (const auto& [line, error] : errors) {
+    if (++shown > kMostErrors) break;
+    text += (text.empty() ? "" : "\n") + error;
+  }
+  return errors.size() > kMostErrors ? text + fmt::format("\n… {}", errors.size() - kMostErrors) : text;
 }
 
-/// Those of the file who are on the roster already, with their lines.
-Refusal known_names(db::Database& database, const std::vector<RosterEntry>& entries) {
-  std::vector<std::string> german, english;
-  for (const auto& entry : entries) {
-    if (!database.person(entry.name)) continue;
-    german.push_back(line_prefix(entry.line, language::Tongue::german) + "den Namen " + entry.name + " gibt es schon");
-    english.push_back(line_prefix(entry.line, language::Tongue::english) + "the name " + entry.name +
-                      " exists already");
-  }
-  return {joined(german), joined(english)};
+/// The file's errors, and those of its people who are on the roster already; nothing where there are none.
+std::string faults_of(db::Database& database, const Roster& roster, language::Tongue tongue) {
+  std::map<int, std::string> errors = roster.errors;
+  for (const auto& entry : roster.entries)
+    if (database.person(entry.name))
+      errors[entry.line] = line_prefix(entry.line, tongue) + (tongue == language::Tongue::german
+                                                                  ? "den Namen " + entry.name + " gibt es schon"
+                                                                  : "the name " + entry.name + " exists already");
+  return joined(errors);
 }
 
 v1::InstructorItem password_item(const RosterEntry& entry) {
@@ -46,22 +47,24 @@ struct Console::Import {
     bool one_time = false;
     std::string hash;
   };
+  std::shared_ptr<const Roster> roster;
   std::vector<Person> people;
   std::size_t hashed = 0;
 };
 
 void Console::import(const Reply& reply, const v1::RosterImport& request) const {
-  const Roster roster = read_roster(request.csv(), reply.tongue);
-  if (!roster.errors.empty()) return send_error(reply, joined(roster.errors));
-  if (roster.entries.empty())
+  const auto roster = std::make_shared<const Roster>(read_roster(request.csv(), reply.tongue));
+  if (roster->entries.empty() && roster->errors.empty())
     return send_error(reply, say(reply.tongue, "In der Datei steht niemand.", "There is nobody in the file."));
   const auto import = std::make_shared<Import>();
-  for (const auto& entry : roster.entries) import->people.push_back({entry, entry.password.empty(), {}});
-  // Names that exist are told before the passwords are hashed, which takes a while.
+  import->roster = roster;
+  for (const auto& entry : roster->entries) import->people.push_back({entry, entry.password.empty(), {}});
+  // Every error is told at once, before the passwords are hashed, which takes a while.
   ask_store(
       reply,
-      [entries = roster.entries](db::Database& database) {
-        if (Refusal known = known_names(database, entries); !known.german.empty()) throw known;
+      [roster, tongue = reply.tongue](db::Database& database) {
+        if (const std::string faults = faults_of(database, *roster, tongue); !faults.empty())
+          throw Refusal{faults, faults};
         return true;
       },
       [reply, import](const Console& console, bool) { console.hash_next(reply, import); });
@@ -80,10 +83,9 @@ void Console::hash_next(const Reply& reply, const std::shared_ptr<Import>& impor
 void Console::add_all(const Reply& reply, const std::shared_ptr<Import>& import) const {
   ask_store(
       reply,
-      [import, time_ms = lab_.clock_.unix_ms()](db::Database& database) {
-        std::vector<RosterEntry> entries;
-        for (const auto& person : import->people) entries.push_back(person.entry);
-        if (Refusal known = known_names(database, entries); !known.german.empty()) throw known;
+      [import, tongue = reply.tongue, time_ms = lab_.clock_.unix_ms()](db::Database& database) {
+        if (const std::string faults = faults_of(database, *import->roster, tongue); !faults.empty())
+          throw Refusal{faults, faults};  // somebody was added meanwhile
         for (const auto& [entry, one_time, hash] : import->people) {
           db::Person added;
           added.name = entry.name;

@@ -120,14 +120,14 @@ Roster read_roster(std::string_view csv, language::Tongue tongue) {
     if (line.empty() || (number == 1 && line == kHeading)) continue;
     const auto fields = fields_of(line);
     if (!fields || fields->size() > kMostFields) {
-      roster.errors.push_back(line_prefix(number, tongue) +
-                              judge.say("name,password,language erwartet", "name,password,language expected"));
+      roster.errors[number] =
+          line_prefix(number, tongue) + judge.say("name,password,language erwartet", "name,password,language expected");
       continue;
     }
     RosterEntry entry{fields->at(0), fields->size() > 1 ? fields->at(1) : "", fields->size() > 2 ? fields->at(2) : "",
                       number};
     if (const std::string fault = judge.fault_of(entry); !fault.empty())
-      roster.errors.push_back(line_prefix(number, tongue) + fault);
+      roster.errors[number] = line_prefix(number, tongue) + fault;
     else
       roster.entries.push_back(std::move(entry));
   }

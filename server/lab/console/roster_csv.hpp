@@ -7,6 +7,7 @@
 // The heading is the line name,password,language. Spaces around a plain field are not part of it.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,7 +26,7 @@ struct RosterEntry {
 /// What a roster file says, or every error with its line.
 struct Roster {
   std::vector<RosterEntry> entries;
-  std::vector<std::string> errors;  ///< "line 3: …" in the reader's language
+  std::map<int, std::string> errors;  ///< by line: "line 3: …" in the reader's language
 };
 
 /// Names twice in the file are errors; whether a name is on the roster already is for whoever knows the roster.

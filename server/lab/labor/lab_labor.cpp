@@ -9,6 +9,25 @@ namespace cnclab::lab {
 
 namespace {
 constexpr std::size_t kMessagesKept = 40;
+
+/// Each message whole: what does not fit into a row goes on in the next, under its text.
+std::vector<std::string> message_lines(const std::deque<std::string>& messages) {
+  constexpr std::size_t kWidth = Screen::kColumns - 2;
+  const std::u32string indent(7, U' ');  // as wide as the time
+  std::vector<std::string> lines;
+  for (const std::string& message : messages) {
+    std::u32string rest = from_utf8(message);
+    while (rest.size() > kWidth) {
+      const std::size_t blank = rest.rfind(U' ', kWidth);
+      const std::size_t end = blank == std::u32string::npos || blank <= indent.size() ? kWidth : blank;
+      lines.push_back(to_utf8(rest.substr(0, end)));
+      rest = indent + rest.substr(rest[end] == U' ' ? end + 1 : end);
+    }
+    lines.push_back(to_utf8(rest));
+  }
+  return lines;
+}
+
 }  // namespace
 
 bool Lab::takes_for_menu(const Desk& desk, Key key) const {
@@ -50,14 +69,13 @@ struct Lab::LaborOrders {
     v1::ServerMessage message;
     message.mutable_ask_password();
     visit->peer->send(message);
-    close(say(tongue(), "Die Station fragt nach dem alten und dem neuen Passwort.",
-              "The station asks for the old and the new password."));
+    desk->labor.reset();  // the station itself says what it asks for, and until when
   }
   void operator()(const ChooseLanguage& order) const { lab.choose_language(desk, order.tongue); }
   void operator()(const ReadList& order) const {
     switch (order.list) {
       case LaborList::messages:
-        return desk->labor->show_list(order.list, {desk->messages.begin(), desk->messages.end()});
+        return desk->labor->show_list(order.list, message_lines(desk->messages));
       case LaborList::cassettes:
         return desk->labor->show_list(order.list, lab.cassette_lines(*desk));
     }

@@ -117,6 +117,7 @@ class Player {
       result.detail = fmt::format("{} ticks, digest {}; recorded were {} ticks, digest {}", points_.size(),
                                   digest.text(), recorded_.ticks, recorded_.digest);
     measure(result);
+    result.points = points_;
     return result;
   }
 

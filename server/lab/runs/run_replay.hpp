@@ -29,9 +29,10 @@ struct RecordedRun {
 
 struct ReplayResult {
   bool same = false;
-  std::uint64_t ticks = 0;          ///< that the replay took
-  double largest_deviation_mm = 0;  ///< of any axis in any tick; 0 where there is no trace to compare with
-  std::string detail;               ///< where it differs first; empty if nowhere
+  std::uint64_t ticks = 0;                       ///< that the replay took
+  double largest_deviation_mm = 0;               ///< of any axis in any tick; 0 where there is no trace to compare with
+  std::string detail;                            ///< where it differs first; empty if nowhere
+  std::vector<machine::TracePoint> points = {};  ///< the way that the replay took, tick after tick
 };
 
 /// A second of machine time takes about a millisecond. Any thread; no clock, no I/O.

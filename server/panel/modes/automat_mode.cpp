@@ -25,8 +25,7 @@ void confirm_program(AutomatMode& mode, ControlState& state) {
   if (language::is_reserved_for_cycles(number))
     return state.complain(Error{.code = ErrorCode::reserved_for_cycles, .program = number});
   const language::Program* program = number == language::kToolTable ? nullptr : state.memory.find(number);
-  if (program == nullptr)
-    return state.complain(Error{.code = ErrorCode::program_missing, .detail = program_word(number)});
+  if (program == nullptr) return state.complain_cannot_run(number);
   mode.block.offer(program->blocks.front().number);
   mode.phase = AutomatMode::Phase::block;
 }

@@ -66,6 +66,13 @@ void EntryLine::sign() {
   if (content_.marker == Marker::word) content_.words[content_.word].sign();
 }
 
+bool EntryLine::acts(Effect effect) const {
+  if (content_.marker != Marker::word) return true;
+  const WordEntry& word = content_.words[content_.word];
+  if (effect == Effect::point || effect == Effect::sign) return word.takes_point_and_sign();
+  return effect != Effect::down || word.takes_parameter();
+}
+
 void EntryLine::clear() {
   switch (content_.marker) {
     case Marker::number:

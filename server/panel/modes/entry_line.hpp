@@ -17,6 +17,7 @@
 #include "language/block.hpp"
 #include "language/block_form.hpp"
 #include "language/error.hpp"
+#include "panel/key_table.hpp"
 #include "panel/screen/canvas.hpp"
 
 namespace cnclab::panel {
@@ -53,6 +54,8 @@ struct WordEntry {
   void point();
   void sign();
   void clear();
+  [[nodiscard]] bool takes_point_and_sign() const;  ///< a value in millimetres
+  [[nodiscard]] bool takes_parameter() const;
   [[nodiscard]] bool to_parameter();  ///< false where the word takes none (M, T)
 
   [[nodiscard]] std::optional<language::Word> word() const;
@@ -100,6 +103,8 @@ class EntryLine {
   [[nodiscard]] bool words_fit_function() const { return content_.shown.has_value() && content_.shown == function(); }
   void next_word();  ///< after the last the first (D-14)
   [[nodiscard]] bool is_at_last_word() const;
+  /// Has the key of this effect one on the word under the marker?
+  [[nodiscard]] bool acts(Effect effect) const;
   /// Puts a value into the word of that address, or empties it; the marker stays.
   void fill(language::Address address, std::optional<std::int32_t> number);
   /// Puts the marker on the first word of that letter, an empty one before others; else on the function.

@@ -58,7 +58,7 @@ void choose_device(ExternalDataMode& mode, ControlState& state, Effect effect, i
   }
   mode.device = device;
   mode.phase = ExternalDataMode::Phase::program;
-  mode.takes_all = false;
+  mode.takes_all = mode.adopts_machine_data = false;
   mode.done.clear();
   mode.program.offer(state.editor_program);
 }
@@ -142,9 +142,12 @@ void write(ExternalDataMode& mode, ControlState& state) {
 
 void read(ExternalDataMode& mode, ControlState& state) {
   mode.phase = ExternalDataMode::Phase::transfer;
-  mode.adopts_machine_data = false;
   if (is_on_line(*mode.device, state)) return begin_line_transfer(mode, state, {});
-  if (mode.device == Device::cassette_in) return state.recorder->begin_reading(chosen(mode), time_of(state));
+  if (mode.device == Device::cassette_in) {
+    state.recorder->begin_reading(chosen(mode), time_of(state));
+    if (mode.adopts_machine_data) state.recorder->adopt_machine_data();
+    return;
+  }
   const MediaKind kind = mode.device == Device::disk_in ? MediaKind::diskette : MediaKind::punched_tape;
   GetFile get{{media_name(kind, chosen(mode))}};
   if (!mode.takes_all) get.names.push_back(media_name(kind, std::nullopt));  // it may stand among all programs
@@ -152,6 +155,17 @@ void read(ExternalDataMode& mode, ControlState& state) {
 }
 
 bool is_output(Device device) { return device < Device::cassette_in; }
+
+/// "+/-" (KEY-066): while data are read, and at the prompt before, since a file is read faster than a key is pressed.
+void choose_machine_data(ExternalDataMode& mode, ControlState& state, bool adopts) {
+  if (state.connection.is_lab_machine) {
+    state.hint = text(Text::said_not_on_lab_machine, state.tongue());
+    return;
+  }
+  mode.adopts_machine_data = adopts;
+  if (adopts && mode.phase == ExternalDataMode::Phase::transfer && mode.device == Device::cassette_in)
+    state.recorder->adopt_machine_data();
+}
 
 void press_prompt(ExternalDataMode& mode, ControlState& state, Effect effect, int figure) {
   if (effect == Effect::digit) {
@@ -162,6 +176,7 @@ void press_prompt(ExternalDataMode& mode, ControlState& state, Effect effect, in
     mode.takes_all = true;
     mode.program.clear();
   }
+  if (effect == Effect::sign) return choose_machine_data(mode, state, !mode.adopts_machine_data);
   if (effect != Effect::enter) return;
   if (!mode.takes_all && !mode.program.value)
     return state.complain(ErrorCode::program_missing, std::string(text(Text::said_number_missing, state.tongue())));
@@ -219,9 +234,13 @@ Place place_of(const ExternalDataMode& mode, const ControlState& state) {
     case ExternalDataMode::Phase::device:
       return is_polled ? Place::external_polled : Place::external_device;
     case ExternalDataMode::Phase::program:
-      return Place::external_program;
-    case ExternalDataMode::Phase::transfer:
-      return Place::external_transfer;
+      return is_output(*mode.device) ? Place::external_write : Place::external_read;
+    case ExternalDataMode::Phase::transfer: {
+      if (!is_output(*mode.device)) return Place::external_reading;
+      const bool is_leader = mode.device == Device::cassette_out && state.recorder &&
+                             state.recorder->state() == transfer::CassetteDeck::State::leader;
+      return is_leader ? Place::external_leader : Place::external_transfer;
+    }
     case ExternalDataMode::Phase::release:
       return Place::external_release;
   }
@@ -239,10 +258,7 @@ void press(ExternalDataMode& mode, ControlState& state, Effect effect, int figur
     case ExternalDataMode::Phase::transfer:
       if (effect == Effect::stop) return abort(mode, state);
       if (effect == Effect::enter) return release_enter(mode, state);  // terminals know no release
-      if (effect == Effect::sign && !is_output(*mode.device)) {
-        mode.adopts_machine_data = true;
-        if (state.recorder) state.recorder->adopt_machine_data();
-      }
+      if (effect == Effect::sign) choose_machine_data(mode, state, true);
       return;
   }
 }
@@ -278,19 +294,27 @@ void media_answered(ExternalDataMode& mode, ControlState& state,
     return end_transfer(mode, mode.files.empty() ? std::string(text(Text::said_written, state.tongue()))
                                                  : text(Text::said_files_written, state.tongue(), {mode.files}));
   const bool is_disk = mode.device == Device::disk_in;
-  const std::string received = is_disk ? *answer : transfer::read_punched(*answer);
+  const std::string received = is_disk ? without_small_letters(*answer) : transfer::read_punched(*answer);
+  const bool has_lost_letters = is_disk && received.size() != answer->size();
+  const std::string notice =
+      has_lost_letters ? " " + std::string(text(Text::said_small_letters, state.tongue())) : std::string();
   const bool is_whole = is_disk && mode.takes_all;
   if (!take_in(state, {.text = received,
                        .reading = is_disk ? language::Reading::file : language::Reading::strict,
                        .is_whole_memory = is_whole,
                        .adopts_machine_data = mode.adopts_machine_data,
-                       .sought = chosen(mode)}))
+                       .sought = chosen(mode),
+                       .notice = notice})) {
+    state.message.sentence += notice;
     end_transfer(mode, {});
+  }
 }
 
 void stored(ExternalDataMode& mode, ControlState& state, const StoreRequest& request) {
   if (const auto* put = std::get_if<PutPrograms>(&request))
-    end_transfer(mode, text(Text::said_read, state.tongue(), {std::to_string(put->programs.size())}));
+    end_transfer(mode, text(put->data ? Text::said_read_with_data : Text::said_read, state.tongue(),
+                            {std::to_string(put->programs.size())}) +
+                           put->notice);
 }
 
 }  // namespace cnclab::panel

@@ -7,7 +7,8 @@
 // Cassettes turn in the control's recorder (transfer::CassetteDeck). Tapes, diskettes and printed pages are files at
 // the station: without a place for them their keys are ignored, as those of devices that are not fitted are (D-109).
 // With a serial line 5 and 9 are fitted, and 3 and 7 use it too (DEC-36, DEC-62). While a transfer is under way only
-// STOP, "+/-" and, for the cassette's leader, → have an effect (D-107).
+// STOP has an effect, for an input "+/-" and for the cassette's leader → (D-107). "+/-" takes machine data along; it
+// can be pressed at the prompt already, since a file is read at once (KEY-066, EXT-026).
 #pragma once
 
 #include <expected>
@@ -40,9 +41,9 @@ struct ExternalDataMode {
   Phase phase = Phase::device;
   std::optional<Device> device;
   DigitField program{4, {}, 0};
-  bool takes_all = false;  ///< C was the last key: → means everything, or the next recording (D-105)
-  bool adopts_machine_data = false;
-  bool is_on_line = false;  ///< the transfer goes over the serial line
+  bool takes_all = false;            ///< C was the last key: → means everything, or the next recording (D-105)
+  bool adopts_machine_data = false;  ///< chosen by "+/-" at the prompt or while reading (KEY-066)
+  bool is_on_line = false;           ///< the transfer goes over the serial line
   std::optional<PrintJob> print;
   // Phase::release
   DigitField block{3, {}, 0};
@@ -96,7 +97,10 @@ struct ReceivedText {
   bool is_whole_memory = false, adopts_machine_data = false;
   bool is_continuation = false;  ///< its blocks join those of the stored program (EXT-061)
   std::optional<std::uint16_t> sought;
+  std::string notice{};  ///< to be told once it is stored
 };
+/// What the control sees of a file: small letters it overlooks, outside comments (EXT-049, DEC-30).
+[[nodiscard]] std::string without_small_letters(std::string_view text);
 [[nodiscard]] bool take_in(ControlState& state, const ReceivedText& received);
 
 /// What leaves: one program, or everything with machine data.

@@ -34,6 +34,14 @@ bool fits(const ControlState& state, const PutPrograms& put) {
   return !memory.is_overfull();
 }
 
+/// Nothing of what was received is to be stored: it was left out (DEC-06), or it was not there.
+void complain_of_nothing(ControlState& state, const ReceivedText& received, const std::vector<std::string>& notices) {
+  const bool may_be_left_out = !received.sought || language::is_reserved_for_cycles(*received.sought);
+  if (!notices.empty() && may_be_left_out) return state.complain(ErrorCode::reserved_for_cycles, notices.front());
+  state.complain(Error{.code = ErrorCode::program_missing,
+                       .detail = received.sought ? program_word(*received.sought) : std::string()});
+}
+
 }  // namespace
 
 bool take_in(ControlState& state, const ReceivedText& received) {
@@ -53,8 +61,7 @@ bool take_in(ControlState& state, const ReceivedText& received) {
   const bool has_data =
       received.adopts_machine_data && !intake->machine_data.empty() && !state.connection.is_lab_machine;
   if (put.programs.empty() && !has_data) {
-    state.complain(Error{.code = ErrorCode::program_missing,
-                         .detail = received.sought ? program_word(*received.sought) : std::string()});
+    complain_of_nothing(state, received, intake->notices);
     return false;
   }
   if (received.is_whole_memory)
@@ -67,8 +74,21 @@ bool take_in(ControlState& state, const ReceivedText& received) {
     state.complain(Error{.code = ErrorCode::memory_full});
     return false;
   }
+  if (!received.sought)
+    for (const std::string& notice : intake->notices) put.notice += " " + notice;
+  put.notice += received.notice;
   state.storing = std::move(put);
   return true;
+}
+
+std::string without_small_letters(std::string_view text) {
+  std::string seen;
+  bool is_comment = false;
+  for (const char c : text) {
+    is_comment = c == '(' || (is_comment && c != ')');
+    if (is_comment || c < 'a' || c > 'z') seen += c;
+  }
+  return seen;
 }
 
 std::string machine_data_text(const machine::MachineData& data) {

@@ -22,7 +22,7 @@ std::optional<geometry::SourceBlock> startable(const ExternalDataMode& mode, Con
   const bool is_program = number != language::kToolTable && !language::is_reserved_for_cycles(number);
   const language::Program* program = is_program ? state.memory.find(number) : nullptr;
   if (program == nullptr) {
-    state.complain(Error{.code = ErrorCode::program_missing, .detail = program_word(number)});
+    state.complain_cannot_run(number);
     return std::nullopt;
   }
   const auto block = static_cast<std::uint16_t>(mode.block.value.value_or(program->blocks.front().number));

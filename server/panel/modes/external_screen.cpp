@@ -1,6 +1,7 @@
 // The screen of EXTERNE DATEN (Bild 6).
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "panel/modes/external_data_mode.hpp"
@@ -27,12 +28,17 @@ constexpr std::array kDevices{DeviceRow{Device::printer, Text::device_printer, 0
                               DeviceRow{Device::disk_in, Text::device_disk, 2, kInputColumn},
                               DeviceRow{Device::computer_in, Text::device_computer, 3, kInputColumn}};
 
+constexpr std::array kNotOn3250{Device::printer, Device::tape_out, Device::tape_in};  // their lines stay blank (D-126)
+
 /// Every device with its marker field; the chosen one's is lit (SCR-045, SCR-047).
-void draw_devices(const ExternalDataMode& mode, language::Tongue tongue, Monitor& monitor) {
+void draw_devices(const ExternalDataMode& mode, const ControlState& state, Monitor& monitor) {
   constexpr int kNameColumn = 2;
+  const language::Tongue tongue = state.tongue();
+  const bool is_3250 = state.settings.vocabulary.model == language::Model::cnc3250;
   monitor.write(kFirstRow - 1, 0, text(Text::external_output, tongue));
   monitor.write(kFirstRow - 1, kInputColumn, text(Text::external_input, tongue));
   for (const DeviceRow& row : kDevices) {
+    if (is_3250 && std::ranges::count(kNotOn3250, row.device) > 0) continue;
     const bool is_chosen = mode.device == row.device;
     monitor.put(kFirstRow + row.row, row.column, U'□', is_chosen ? Attribute::inverse : Attribute::normal);
     monitor.write(kFirstRow + row.row, row.column + kNameColumn,
@@ -84,9 +90,10 @@ bool is_reading(const ExternalDataMode& mode, const ControlState& state) {
 
 void draw(const ExternalDataMode& mode, const ControlState& state, Monitor& monitor) {
   const language::Tongue tongue = state.tongue();
-  draw_devices(mode, tongue, monitor);
+  draw_devices(mode, state, monitor);
   draw_prompt(mode, state, monitor);
   if (mode.device == Device::cassette_out) monitor.write(kFunctionRow, 0, text(Text::write_cassette, tongue));
+  if (mode.adopts_machine_data && mode.device) monitor.write(kFunctionRow, 0, text(Text::with_machine_data, tongue));
   draw_recorder(state, monitor);
   draw_line(mode, state, monitor);
   if (!is_reading(mode, state)) return;

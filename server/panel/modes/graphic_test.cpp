@@ -69,6 +69,7 @@ bool GraphicTest::is_busy() const { return shared_->is_busy.load(std::memory_ord
 
 void GraphicTest::advance(std::uint64_t blocks, const drawing::Window& window) {
   shared_->is_busy.store(true, std::memory_order_relaxed);
+  is_view_due_ = true;
   long_work_([shared = shared_, blocks, window, ways = most_ways_] {
     testrun::TestRun& test = shared->test;
     const std::uint64_t last_way = test.ways() + ways;
@@ -95,6 +96,7 @@ std::optional<PutFiles> GraphicTest::take_files() {
 
 std::optional<GraphicTestView> GraphicTest::take_view() {
   if (is_busy()) return std::nullopt;
+  is_view_due_ = false;
   return std::exchange(shared_->view, std::nullopt);
 }
 

@@ -44,6 +44,8 @@ class GraphicTest {
 
   /// Is a portion under way?
   [[nodiscard]] bool is_busy() const;
+  /// Is there anything to come: a portion under way, or its view not taken?
+  [[nodiscard]] bool has_news() const { return is_busy() || is_view_due_; }
   /// Plays up to so many blocks, fewer where they are long; 0 only draws. Not while busy.
   void advance(std::uint64_t blocks, const drawing::Window& window);
   /// What the last portion has left to see; once.
@@ -59,7 +61,8 @@ class GraphicTest {
 
   std::shared_ptr<Shared> shared_;
   LongWork long_work_;
-  std::uint64_t most_ways_;  ///< of the next portion
+  bool is_view_due_ = false;  ///< of the newest portion
+  std::uint64_t most_ways_;   ///< of the next portion
 };
 
 }  // namespace cnclab::panel

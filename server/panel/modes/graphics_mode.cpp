@@ -70,8 +70,7 @@ void begin_test(GraphicsMode& mode, ControlState& state) {
   const auto number = static_cast<std::uint16_t>(mode.program.value.value_or(0));
   const language::Program* program = number == language::kToolTable ? nullptr : state.memory.find(number);
   mode.program.typed = 0;
-  if (program == nullptr)
-    return state.complain(Error{.code = ErrorCode::program_missing, .detail = program_word(number)});
+  if (program == nullptr) return state.complain_cannot_run(number);
   auto test = GraphicTest::begin(order_of(state, *program), state.settings.picture_work);
   if (!test) return state.complain(test.error());
   mode.test.emplace(std::move(*test));

@@ -22,10 +22,15 @@ std::string percent_text(double share) { return std::to_string(static_cast<int>(
 std::string status_line(const GraphicsMode& mode, language::Tongue tongue) {
   constexpr std::array<std::string_view, 4> kViews{"X-Y", "X-Z", "Y-Z", "X-Y-Z"};
   const GraphicTestView& view = mode.view;
-  return fmt::format("P{:04} N{:03} {:>3} %  {:5}  {} {:.3f} mm  {}  {} {}", view.block.program, view.block.block,
-                     percent_text(view.progress), kViews[static_cast<std::size_t>(view.view)],
-                     text(Text::graphics_way, tongue), view.path_mm, duration_text(view.machine_time_s),
-                     text(Text::graphics_findings, tongue), view.findings.size() + view.findings_left_off);
+  const auto with = [&](const std::string& way) {
+    return fmt::format("P{:04} N{:03} {:>3} %  {:5}  {} {} mm  {}  {} {}", view.block.program, view.block.block,
+                       percent_text(view.progress), kViews[static_cast<std::size_t>(view.view)],
+                       text(Text::graphics_way, tongue), way, duration_text(view.machine_time_s),
+                       text(Text::graphics_findings, tongue), view.findings.size() + view.findings_left_off);
+  };
+  const std::string exact = with(fmt::format("{:.3f}", view.path_mm));
+  // On long runs the thousandths of the way give their room to the number of findings.
+  return columns_of(exact) <= Monitor::kColumns ? exact : with(fmt::format("{:.0f}", view.path_mm));
 }
 
 void draw_prompt(const GraphicsMode& mode, const ControlState& state, Monitor& monitor) {

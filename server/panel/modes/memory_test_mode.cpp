@@ -20,7 +20,7 @@ std::string five_digits(int value) {
 
 /// Numbers and sizes of the pages that the memory has.
 void draw_list(const ControlState& state, Monitor& monitor) {
-  constexpr int kRows = 8, kColumnWidth = 20;
+  constexpr int kRows = 9, kColumnWidth = 20;  // three columns: the largest memory has 25 pages
   int page = 0;
   for (int left = state.settings.memory_bytes; left > 0; left -= kPageBytes, ++page)
     monitor.write(kFirstRow + page % kRows, page / kRows * kColumnWidth,
@@ -40,8 +40,6 @@ Place place_of(const MemoryTestMode& mode) {
   switch (mode.phase) {
     case MemoryTestMode::Phase::list:
       return Place::memory_list;
-    case MemoryTestMode::Phase::asked:
-      return Place::memory_confirm;
     case MemoryTestMode::Phase::running:
       return Place::memory_running;
   }
@@ -49,12 +47,8 @@ Place place_of(const MemoryTestMode& mode) {
 }
 
 void press(MemoryTestMode& mode, ControlState& state, Effect effect, int /*figure*/) {
-  if (effect != Effect::test_memory) return;
-  if (mode.phase == MemoryTestMode::Phase::list) {
-    mode.phase = MemoryTestMode::Phase::asked;
-  } else if (mode.phase == MemoryTestMode::Phase::asked) {
+  if (effect == Effect::test_memory && mode.phase == MemoryTestMode::Phase::list)
     state.storing = state.whole_memory();  // ERR-032; the versions stay (STO-005)
-  }
 }
 
 void stored(MemoryTestMode& mode, ControlState& state, const StoreRequest& request) {
@@ -84,8 +78,6 @@ std::string sentence_of(const MemoryTestMode& mode, const ControlState& state) {
   switch (mode.phase) {
     case MemoryTestMode::Phase::list:
       return std::string(text(Text::wait_memory_list, tongue));
-    case MemoryTestMode::Phase::asked:
-      return std::string(text(Text::wait_memory_confirm, tongue));
     case MemoryTestMode::Phase::running:
       return std::string(text(Text::wait_memory_running, tongue));
   }

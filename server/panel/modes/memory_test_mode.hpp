@@ -1,8 +1,7 @@
-// The memory test of the CMOS RAM (6.4, ERR-030 to ERR-034, D-120). It destroys what the memory holds, so it asks
-// first.
+// The memory test of the CMOS RAM (6.4, ERR-030 to ERR-034, D-120). It destroys what the memory holds; row 18 says so
+// beside the list.
 //
-//   list of pages ──SPEICHER LÖSCHEN──▶ asked ──SPEICHER LÖSCHEN──▶ memory erased ──2 s──▶ patterns, each 2 s, until
-//   RESET
+//   list of pages ──SPEICHER LÖSCHEN──▶ memory erased ──2 s──▶ patterns, each 2 s, until RESET
 #pragma once
 
 #include <cstdint>
@@ -16,7 +15,7 @@
 namespace cnclab::panel {
 
 struct MemoryTestMode {
-  enum class Phase : std::uint8_t { list, asked, running };
+  enum class Phase : std::uint8_t { list, running };
   Phase phase = Phase::list;
   std::optional<std::int64_t> begun_ns;  ///< monotonic; nothing while the contents are being erased
   int pattern = -1;                      ///< index of the pattern that is written now, -1 before the first

@@ -94,6 +94,21 @@ void stored(ActiveMode& mode, ControlState& state, const StoreRequest& request) 
                         mode);
 }
 
+bool acts(const ActiveMode& mode, Effect effect) {
+  return std::visit(Overloaded{[&](const auto& active)
+                                 requires requires { active.line.acts(effect); }
+                               { return active.line.acts(effect); },
+                               [](const auto&) { return true; }},
+                               mode);
+}
+
+bool is_of_use(const ActiveMode& mode, Effect effect) {
+  const auto* editor = std::get_if<EditorMode>(&mode);
+  const bool is_rom = editor != nullptr && editor->is_open && language::is_reserved_for_cycles(editor->number());
+  const bool is_change = effect == Effect::store || effect == Effect::erase_block;
+  return acts(mode, effect) && !(is_rom && is_change);
+}
+
 void draw(const ActiveMode& mode, const ControlState& state, Monitor& monitor) {
   std::visit([&](const auto& active) { draw(active, state, monitor); }, mode);
 }

@@ -34,6 +34,11 @@ void press(ActiveMode& mode, ControlState& state, Effect effect, int figure);
 void follow(ActiveMode& mode, ControlState& state);
 /// The request is on disk and in the memory.
 void stored(ActiveMode& mode, ControlState& state, const StoreRequest& request);
+/// Does the effect act on the line as it stands? Point and sign need a word in millimetres, ↓ one that takes a
+/// parameter (KEY-065).
+[[nodiscard]] bool acts(const ActiveMode& mode, Effect effect);
+/// Is there any use in its key now? Programs of the ROM can be looked at only (DEC-06).
+[[nodiscard]] bool is_of_use(const ActiveMode& mode, Effect effect);
 void draw(const ActiveMode& mode, const ControlState& state, Monitor& monitor);
 /// The first block on the screen whose check code did not fit when it was read (ERR-004).
 [[nodiscard]] std::optional<geometry::SourceBlock> damaged_block(const ActiveMode& mode, const ControlState& state);

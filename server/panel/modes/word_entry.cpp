@@ -68,22 +68,26 @@ void WordEntry::digit(int figure) {
 }
 
 void WordEntry::point() {
-  if (is_parameter || !is_millimetres(language::format_of(address)) || decimals) return;
+  if (!takes_point_and_sign() || decimals) return;
   begin();
   decimals = 0;
   has_value = true;
 }
 
 void WordEntry::sign() {
-  if (is_parameter || !is_millimetres(language::format_of(address))) return;
+  if (!takes_point_and_sign()) return;
   is_negative = !is_negative;
   is_signed = true;
 }
 
 void WordEntry::clear() { *this = WordEntry::of(address, nullptr); }
 
+bool WordEntry::takes_point_and_sign() const { return !is_parameter && is_millimetres(language::format_of(address)); }
+
+bool WordEntry::takes_parameter() const { return language::format_of(address).takes_parameter; }
+
 bool WordEntry::to_parameter() {
-  if (!language::format_of(address).takes_parameter) return false;
+  if (!takes_parameter()) return false;
   clear();
   is_parameter = true;
   return true;

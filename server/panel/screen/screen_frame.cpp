@@ -77,6 +77,37 @@ std::pair<std::string, std::string> broken_at(const std::string& sentence, int c
   return {sentence.substr(0, place), sentence.substr(place + 1)};
 }
 
+/// Breaks at blanks; a word that is longer than a row goes on in the next one.
+std::vector<std::string> filled_rows(std::string_view words, int columns) {
+  std::vector<std::string> rows(1);
+  int used = 0;
+  while (!words.empty()) {
+    const std::string_view word = words.substr(0, words.find(' '));
+    words.remove_prefix(std::min(words.size(), word.size() + 1));
+    if (used > 0 && used + 1 + columns_of(word) > columns) {
+      rows.emplace_back();
+      used = 0;
+    } else if (used > 0) {
+      rows.back() += ' ';
+      ++used;
+    }
+    for (const char byte : word) {
+      const bool begins_letter = (static_cast<unsigned char>(byte) & 0xC0U) != 0x80U;
+      if (begins_letter && used == columns) rows.emplace_back();
+      if (begins_letter) used = used == columns ? 1 : used + 1;
+      rows.back() += byte;
+    }
+  }
+  return rows;
+}
+
+/// Who pressed MASCHINE HALT, whole: at which seat and who (AUTH-006).
+std::vector<std::string> halt_rows(const SideView& side, language::Tongue tongue, int columns) {
+  if (side.halted_by.empty()) return {};
+  const std::string seat = side.halted_at == 0 ? "" : text(Text::side_seat, tongue, {two_digits(side.halted_at)}) + " ";
+  return filled_rows(text(Text::side_halt, tongue, {seat + side.halted_by}), columns);
+}
+
 std::string keys_text(const KeyRow& row, language::Tongue tongue) {
   const std::string help(text(row.help, tongue));
   if (row.first == Key::PLUS_X) return "±X ±Y ±Z " + help;
@@ -114,6 +145,7 @@ void draw_header(Monitor& monitor, Mode mode, const Settings& settings, const Wa
 
 void draw_side(Canvas& canvas, const SideView& side, const Lamps& lamps, language::Tongue tongue) {
   constexpr int kWidth = Screen::kColumns - kSideColumn;
+  constexpr int kUpperMeldungRow = 2, kMeldungRow = 15, kHaltRow = 16;
   const auto line = [&](int row, int column, std::string_view content, Attribute attribute = Attribute::normal) {
     canvas.write(row, column, content, attribute, kWidth - (column - kSideColumn));
   };
@@ -130,21 +162,29 @@ void draw_side(Canvas& canvas, const SideView& side, const Lamps& lamps, languag
   percent.insert(0, 3 - percent.size(), ' ');
   line(8, kSideColumn, text(Text::side_override, tongue, {percent}));
   draw_lamps(canvas, lamps, tongue);
-  if (side.meldung > 0) line(15, kSideColumn, text(Text::side_message, tongue, {std::to_string(side.meldung)}));
-  if (!side.halted_by.empty())
-    line(16, kSideColumn, text(Text::side_halt, tongue, {side.halted_by}), Attribute::inverse);
+  const std::vector<std::string> halt = halt_rows(side, tongue, kWidth);
+  const int halt_row = std::min(kHaltRow, kFrameBottom + 1 - static_cast<int>(halt.size()));
+  for (std::size_t i = 0; i < halt.size(); ++i)
+    line(halt_row + static_cast<int>(i), kSideColumn, halt[i], Attribute::inverse);
+  if (side.meldung > 0)
+    line(halt_row > kMeldungRow ? kMeldungRow : kUpperMeldungRow, kSideColumn,
+         text(Text::side_message, tongue, {std::to_string(side.meldung)}));
 }
 
-void draw_bottom(Canvas& canvas, const std::string& sentence, Place place, const Settings& settings) {
+void draw_bottom(Canvas& canvas, const BottomView& view, Place place, const Settings& settings) {
   constexpr int kGap = 3, kFirstColumn = 1;
-  const auto [first, rest] = broken_at(sentence, Screen::kColumns);
-  canvas.write(kSentenceRow, 0, first);
-  if (!rest.empty()) canvas.write(kSentenceRow + 1, 0, rest);
+  int row = kSentenceRow, column = kFirstColumn;
+  const auto say = [&](const std::string& sentence) {
+    const auto [first, rest] = broken_at(sentence, Screen::kColumns);
+    canvas.write(row++, 0, first);
+    if (!rest.empty()) canvas.write(row++, 0, rest);
+  };
+  if (!view.bar.empty()) say(view.bar);
+  say(view.sentence);
   const std::string_view all_keys = text(Text::all_keys, settings.tongue);
   canvas.write(kAllKeysRow, kFirstColumn, all_keys);
-  int row = kSentenceRow + (rest.empty() ? 1 : 2), column = kFirstColumn;
   for (const KeyRow& entry : key_table()) {
-    if (entry.place != place || !has_row(entry, settings.vocabulary)) continue;
+    if (entry.place != place || !has_row(entry, settings.vocabulary) || !view.lists(entry.effect)) continue;
     const std::string keys = keys_text(entry, settings.tongue);
     const int width = columns_of(keys);
     if (column > kFirstColumn && column + width > Screen::kColumns) {
