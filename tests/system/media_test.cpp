@@ -197,9 +197,9 @@ TEST(MediaPrinter, EXT_003_ThePrintersQueueTakesThePages) {
 TEST(MediaModel, MODEL_003_MODEL_004_MODEL_005_The3250HasNoPrinterNoTapeAndNoGraphics) {
   MediaSeat seat("[control]\nmodel = \"3250\"\n");
   StationProcess anna = seat.sit_down();
-  for (const char* const device : {"1", "3", "7"}) {
+  for (const std::string device : {"1", "3", "7"}) {
     anna.type(device);
-    anna.wait_for("nicht angeschlossen");
+    anna.wait_for(device + " hat hier keine Wirkung");
     anna.key("STOP");
   }
   anna.type("4");

@@ -65,7 +65,7 @@ TEST_P(Terminals, FunctionKeysHavePlainTwinsAndEscapeIsNoPrefixThatEatsTheNextKe
   terminal.type("\x1b");  // leaves the help page without waiting for a sequence to go on
   terminal.wait_for("□ EXTERNE DATEN");
   terminal.type(GetParam().f12);
-  terminal.wait_for("HALT Platz 1");
+  terminal.wait_for("HALT Platz 01");
 }
 
 TEST_P(Terminals, AsciiDrawsTheSameWithPlusMinusBar) {
@@ -75,8 +75,7 @@ TEST_P(Terminals, AsciiDrawsTheSameWithPlusMinusBar) {
   EXPECT_TRUE(terminal.row(1).starts_with("|CNC 3300")) << terminal.text();
   EXPECT_NE(terminal.text().find("SPEICHER LOSCHEN"), std::string::npos) << terminal.text();
   terminal.type("\t");  // EINGABE, whose sentence names the key
-  terminal.wait_for("EINGABEMODUS");
-  EXPECT_NE(terminal.text().find("->"), std::string::npos) << terminal.text();
+  terminal.wait_for("->");
   for (const char c : terminal.text()) ASSERT_TRUE(c == '\n' || (c >= ' ' && c <= '~')) << terminal.text();
 }
 
