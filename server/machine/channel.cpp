@@ -75,6 +75,12 @@ void Channel::set_override(double ratio) {
   impl_->mail.override_ratio.store(static_cast<double>(kept), std::memory_order_relaxed);
 }
 
+void Channel::note_resumption(bool input_1) {
+  // Only this thread writes.
+  const std::uint64_t number = impl_->mail.resumptions.load(std::memory_order_relaxed) / 2 + 1;
+  impl_->mail.resumptions.store(2 * number + (input_1 ? 1 : 0), std::memory_order_release);
+}
+
 void Channel::set_single_block(bool on) { impl_->mail.single_block.store(on, std::memory_order_relaxed); }
 
 void Channel::set_outputs_off_at_power_off(const std::array<std::uint8_t, 2>& cards) {

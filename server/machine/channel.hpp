@@ -169,6 +169,8 @@ struct TickLevels {
   bool go = false;                       ///< a START took effect: begin, going on, release of a halt
   std::array<std::int8_t, 3> by_hand{};  ///< directions of a Jog or RunReference that took effect
   bool is_reference = false;             ///< it was a RunReference
+  bool is_resumed = false;               ///< path has come that had waited (`note_resumption`)
+  bool resumed_with = false;             ///< Input 1 as it was answered then
   friend bool operator==(const TickLevels&, const TickLevels&) = default;
 };
 
@@ -216,6 +218,9 @@ class Channel {
   void latch(bool on);
   void set_override(double ratio);  ///< potentiometer 0..1
   void set_single_block(bool on);
+  /// The path goes on behind a question, or whatever else it had to wait for: the tick that finds it is traced, since
+  /// the way depends on it.
+  void note_resumption(bool input_1);
   /// These outputs (bits of cards 1 and 2) go off with the power; the others keep their state, as at stops (AUTH-003).
   void set_outputs_off_at_power_off(const std::array<std::uint8_t, 2>& cards);
   /// Grants an epoch until `expiry_ns` of the tick's clock, or renews it. Epochs never go back: an older one, and one

@@ -2,6 +2,7 @@
 #include "machine/channel_tick.hpp"
 
 #include <cmath>
+#include <utility>
 
 namespace cnclab::machine {
 
@@ -42,6 +43,10 @@ void ChannelTick::move(double tick_s) noexcept {
   const bool single_block = mail_.single_block.load(std::memory_order_relaxed);
   levels_.override_ratio = static_cast<float>(ratio);
   levels_.single_block = single_block;
+  const std::uint64_t resumptions = mail_.resumptions.load(std::memory_order_acquire);
+  // At rest nothing is traced: then it is the next START that finds it.
+  if (started_) levels_.is_resumed = std::exchange(resumptions_seen_, resumptions) != resumptions;
+  levels_.resumed_with = resumptions % 2 != 0;
   switch (activity_) {
     case Activity::none:
       speed_mm_per_s_ = 0;

@@ -150,7 +150,8 @@ class ChannelTick {
   std::uint64_t references_lost_ = 0;
   std::uint8_t limit_axis_ = 0xFF;
   std::uint64_t tick_ = 0, stops_seen_ = 0, orders_ = 0, signals_ = 0, refused_ = 0, dropped_ = 0;
-  TickLevels levels_;         ///< of this tick
+  TickLevels levels_;  ///< of this tick
+  std::uint64_t resumptions_seen_ = 0;
   bool was_started_ = false;  ///< in the last tick: the tick in which a run ends is traced too
 };
 

@@ -16,11 +16,10 @@ int below(int end) { return *rc::gen::inRange(0, end); }
 /// Some millimetres or none at all, with its sign.
 std::string word(char axis) { return fmt::format("{}{:+}", axis, *rc::gen::inRange(-9000, 9001)); }
 
-/// One block of P0001 out of everything that ends, waits, calls or only switches. Not G21 and G23: when their answer
-/// comes too late for the look-ahead, the axes wait for the lab's next look, and that is in no record.
+/// One block of P0001 out of everything that asks, ends, waits, calls or only switches.
 std::string random_block(int number) {
   const std::string block = fmt::format("N{:03}", number);
-  switch (below(10)) {
+  switch (below(12)) {
     case 0:
       return block + "G00" + word('X') + word('Z');
     case 1:
@@ -37,6 +36,10 @@ std::string random_block(int number) {
       return block + (below(2) == 0 ? "G11M22" : "G11M20");
     case 7:
       return block + "G61" + word('X');
+    case 8:  // skips a block
+      return block + fmt::format("G21P0001N{:03}", number + 2);
+    case 9:
+      return block + "G23P0002N001W01";
     default:
       return block + "G01" + word('X') + word('Y') + fmt::format("F{}", 200 + below(4000));
   }

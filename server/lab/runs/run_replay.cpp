@@ -28,7 +28,10 @@ class Player {
   explicit Player(const RecordedRun& recorded)
       : recorded_(recorded),
         machine_(recorded.machine_data),
-        channel_(std::make_shared<machine::Channel>(machine_, recorded.order.data)) {
+        channel_(std::make_shared<machine::Channel>(machine_, recorded.order.data)),
+        between_resumptions_(std::ranges::any_of(recorded.events, [](const auto& e) { return e.kind == "resume"; })
+                                 ? panel::Run::Questions::held
+                                 : panel::Run::Questions::answered) {
     machine_.place(recorded.steps);
     channel_->grant(kEpoch, machine::kNeverExpires);
     channel_->record_trace(true);
@@ -63,6 +66,7 @@ class Player {
       if (event.kind == "override") channel_->set_override(event.value);
       if (event.kind == "single_block") channel_->set_single_block(event.value != 0);
       if (event.kind == "inputs") set_inputs(static_cast<std::uint32_t>(event.value));
+      if (event.kind == "resume") run_.feed_replay(panel::Run::Questions::answered, event.value != 0);
       if (event.kind == "stop") stop(static_cast<std::uint32_t>(event.value));
       const bool is_start = event.kind == "go" || event.kind == "jog" || event.kind == "reference";
       if (!is_start) continue;
@@ -104,7 +108,7 @@ class Player {
     const std::size_t before = points_.size();
     static_cast<void>(channel_->drain_trace(points_));
     for (std::size_t i = before; i < points_.size(); ++i) points_[i].steps[3] += u_steps_;
-    if (static_cast<std::uint64_t>(ticks_) % kPollEvery == 0) run_.feed_replay();
+    if (static_cast<std::uint64_t>(ticks_) % kPollEvery == 0) run_.feed_replay(between_resumptions_);
   }
 
   [[nodiscard]] ReplayResult compare() const {
@@ -139,6 +143,8 @@ class Player {
   machine::SimulatedMachine machine_;
   std::shared_ptr<machine::Channel> channel_;
   panel::Run run_;
+  /// Records of older versions do not say when a question was answered.
+  panel::Run::Questions between_resumptions_;
   std::size_t next_ = 0;
   std::int64_t ticks_ = 0;
   std::int32_t u_steps_ = 0;

@@ -31,6 +31,8 @@ class ContourScout {
   /// A question inside the contour was answered.
   void take_answer(bool input_1);
 
+  /// What it sees has not been asked for yet.
+  [[nodiscard]] bool is_looking() const { return preflight_.has_value(); }
   /// Has it seen as much as can be seen now? Until then the run executes no further block.
   [[nodiscard]] bool has_looked();
   /// Contours found right, counted as in `Preflight::Result`.

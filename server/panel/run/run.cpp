@@ -134,8 +134,7 @@ void Run::go() {
 }
 
 bool Run::prepare_block() {
-  if (scout_ && !scout_->has_looked()) return false;
-  if (!answer_input()) return false;
+  if (!may_go_on()) return false;
   items_.clear();
   next_item_ = 0;
   auto executed = source_->step(items_);
@@ -171,7 +170,9 @@ bool Run::is_far_enough_ahead() const {
          records_.back().block.sequence - seen_.finished_sequence >= kMostBlocksAhead;
 }
 
-void Run::feed() {
+void Run::feed(Questions questions) {
+  questions_ = questions;
+  has_gone_on_ = false;
   motion::Planner& planner = connection_.channel->planner();
   for (int budget = kItemsPerPoll; budget > 0; --budget) {
     if (next_item_ == items_.size()) {
@@ -182,6 +183,7 @@ void Run::feed() {
     ++next_item_;
   }
   planner.plan();
+  if (has_gone_on_) connection_.channel->note_resumption(last_answer_);
 }
 
 void Run::forget_done_blocks() {
@@ -261,10 +263,11 @@ std::optional<RunEnd> Run::poll_check() {
   return RunEnd{RunEnd::Kind::failed, StopCause::none, begun.error(), modal, parameters, {}};
 }
 
-void Run::feed_replay() {
+void Run::feed_replay(Questions questions, std::optional<bool> input_1) {
   if (!is_present() || is_checking()) return;
   look();
-  feed();
+  recorded_input_1_ = input_1;
+  feed(questions);
   forget_done_blocks();
 }
 

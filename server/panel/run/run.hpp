@@ -85,8 +85,12 @@ class Run {
 
   /// Feeds the path and follows the machine; returns how the run ended when it did.
   std::optional<RunEnd> poll();
-  /// As `poll`, but ends nothing: for a replay, whose stops come from its record.
-  void feed_replay();
+  /// Whether feeding may answer a question for Input 1, or take what the look along a contour has found.
+  enum class Questions : std::uint8_t { answered, held };
+  /// As `poll`, but ends nothing: for a replay, whose stops come from its record, and the ticks in which it goes on
+  /// too.
+  /// input_1   as it was found when it counted at once; nothing: as it is now
+  void feed_replay(Questions questions, std::optional<bool> input_1 = std::nullopt);
 
   [[nodiscard]] State state() const;
   [[nodiscard]] bool is_present() const { return source_.has_value(); }
@@ -124,11 +128,13 @@ class Run {
   void account_for_items();
   void guard_contours(const program::ExecutedBlock& executed);
   void scout_contours();
+  /// Nothing has to be waited for, or all of it has come now.
+  [[nodiscard]] bool may_go_on();
   [[nodiscard]] bool answer_input();
   void take_answer(bool input_1);
   void guard_travel();
   void guard_tools();
-  void feed();
+  void feed(Questions questions = Questions::answered);
   void forget_done_blocks();
   [[nodiscard]] bool is_far_enough_ahead() const;
   [[nodiscard]] const Record* record(std::uint64_t sequence) const;
@@ -152,6 +158,10 @@ class Run {
   std::size_t sound_contours_ = 0;      ///< so many contours, in their order, were found right
   std::optional<ContourScout> scout_;   ///< of the contour that the run has come to without
   bool is_stopped_in_check_ = false;
+  Questions questions_ = Questions::answered;
+  std::optional<bool> recorded_input_1_;  ///< of a replay
+  bool last_answer_ = false;
+  bool has_gone_on_ = false;  ///< in this feeding: what had been waited for has come
   std::optional<program::PathSource> source_;
   std::array<double, 4> steps_per_mm_{};
   std::optional<TravelGuard> guard_;

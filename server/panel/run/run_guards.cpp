@@ -47,6 +47,14 @@ void Run::guard_tools() {
   if (auto error = tools_->guard(items_)) failure_ = std::move(error);
 }
 
+bool Run::may_go_on() {
+  const bool must_wait = (scout_ && scout_->is_looking()) || source_->interpreter().awaited_input();
+  if (!must_wait) return true;
+  if (questions_ == Questions::held || (scout_ && !scout_->has_looked()) || !answer_input()) return false;
+  has_gone_on_ = true;
+  return true;
+}
+
 /// Input 1 for G21 and G23 as it was two blocks before (D-56). A block that cannot begin because its own end depends on
 /// the answer (a compensated way is held back until the next is known) begins with it: then the input counts now.
 bool Run::answer_input() {
@@ -55,7 +63,7 @@ bool Run::answer_input() {
   if (!asked) return true;
   const bool nothing_moves_without = run_ != 0 && seen_.run == run_ && is_path_done();
   if (*asked == 0 || nothing_moves_without) {
-    take_answer(seen_.input_1);
+    take_answer(recorded_input_1_.value_or(seen_.input_1));
     return true;
   }
   const std::optional<bool> seen = seen_.run == run_ ? machine::input_1_at_start(seen_, *asked) : std::nullopt;
@@ -64,6 +72,7 @@ bool Run::answer_input() {
 }
 
 void Run::take_answer(bool input_1) {
+  last_answer_ = input_1;
   source_->interpreter().answer_input(input_1);
   if (scout_) scout_->take_answer(input_1);
 }
