@@ -135,6 +135,7 @@ Times work(harness::StationProcess& seat, int station, bool types, Clock::time_p
     times.push_back(std::chrono::duration<double, std::micro>(Clock::now() - before).count());
   }
   seat.key(types ? "MENU" : "STOP");
+  std::this_thread::sleep_for(1s);  // the axes come to rest
   return times;
 }
 
