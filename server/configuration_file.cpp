@@ -5,7 +5,9 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <vector>
 
 #define TOML_ENABLE_FORMATTERS 0
@@ -235,11 +237,17 @@ std::expected<lab::Configuration, std::string> parsed(const std::filesystem::pat
 }  // namespace
 
 std::expected<lab::Configuration, std::string> read_configuration(const std::filesystem::path& file) {
-  return parsed(file, [&] { return toml::parse_file(file.string()); });
+  std::ifstream in(file, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(in), {}};
+  if (!in) return std::unexpected(fmt::format("{}: the file cannot be read", file.string()));
+  return parse_configuration(text, file);
 }
 
-std::expected<lab::Configuration, std::string> parse_configuration(std::string_view text) {
-  return parsed("lab.toml", [&] { return toml::parse(text); });
+std::expected<lab::Configuration, std::string> parse_configuration(std::string_view text,
+                                                                   const std::filesystem::path& file) {
+  // The parser takes for granted that there are none.
+  if (text.contains('\0')) return std::unexpected(fmt::format("{}: no text: it has NUL bytes", file.string()));
+  return parsed(file, [&] { return toml::parse(text, file.string()); });
 }
 
 std::string print_configuration(const Configuration& configuration) {

@@ -13,8 +13,9 @@ namespace cnclab {
 /// errors: file, line and what is wrong: unknown key, wrong type, value outside its limits.
 [[nodiscard]] std::expected<lab::Configuration, std::string> read_configuration(const std::filesystem::path& file);
 
-/// The same for a text that stands in no file; errors name `lab.toml`.
-[[nodiscard]] std::expected<lab::Configuration, std::string> parse_configuration(std::string_view text);
+/// The same for a text; errors name `file`.
+[[nodiscard]] std::expected<lab::Configuration, std::string> parse_configuration(
+    std::string_view text, const std::filesystem::path& file = "lab.toml");
 
 /// Every key with its value and a comment, as a file that `read_configuration` reads.
 [[nodiscard]] std::string print_configuration(const lab::Configuration& configuration);

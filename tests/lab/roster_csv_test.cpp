@@ -71,11 +71,13 @@ TEST(RosterCsv, INS_004_NamesTheLineOfEveryError) {
 }
 
 TEST(RosterCsv, INS_004_WhatIsWrittenIsReadBack) {
-  const std::vector<RosterEntry> entries{{"anna", "", "de", 0}, {"otto", "a,b\"c\"defg", "", 0}};
+  const std::vector<RosterEntry> entries{
+      {"anna", "", "de", 0}, {"otto", "a,b\"c\"defg", "", 0}, {"eva", " blanks\t", "", 0}};
   const Roster back = read_roster(write_roster(entries), Tongue::german);
   EXPECT_TRUE(back.errors.empty());
   EXPECT_THAT(fields(back), ElementsAre(std::vector<std::string>{"anna", "", "de"},
-                                        std::vector<std::string>{"otto", "a,b\"c\"defg", ""}));
+                                        std::vector<std::string>{"otto", "a,b\"c\"defg", ""},
+                                        std::vector<std::string>{"eva", " blanks\t", ""}));
 }
 
 }  // namespace
