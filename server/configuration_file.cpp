@@ -10,7 +10,11 @@
 #include <iterator>
 #include <vector>
 
+#include "configuration_text.hpp"
+
 #define TOML_ENABLE_FORMATTERS 0
+// The library asserts what its own error handling reports a line later ("[?": no key begins like that).
+#define TOML_ASSERT(condition) static_cast<void>(0)
 #include <toml++/toml.h>
 
 namespace cnclab {
@@ -245,8 +249,8 @@ std::expected<lab::Configuration, std::string> read_configuration(const std::fil
 
 std::expected<lab::Configuration, std::string> parse_configuration(std::string_view text,
                                                                    const std::filesystem::path& file) {
-  // The parser takes for granted that there are none.
-  if (text.contains('\0')) return std::unexpected(fmt::format("{}: no text: it has NUL bytes", file.string()));
+  if (const auto unfit = unfit_text(text))
+    return std::unexpected(fmt::format("{}:{}: {}", file.string(), unfit->line, unfit->reason));
   return parsed(file, [&] { return toml::parse(text, file.string()); });
 }
 

@@ -91,14 +91,22 @@ TEST(ServerStart, a_port_of_the_configuration_in_use_names_its_own_setting) {
   }
 }
 
-TEST(ServerStart, a_configuration_with_NUL_bytes_is_refused) {
+TEST(ServerStart, a_configuration_that_is_none_is_refused) {
   using namespace std::string_literals;
-  const TemporaryFolder folder;
-  const auto started = ServerProcess::start(
-      {.data = folder.path() / "data", .log = {}, .port = 0, .configuration = "[\0\0\0la\0 nknown ; 1\n"s, .more = {}});
-  ASSERT_FALSE(started);
-  EXPECT_EQ(started.error().exit_code, 1);
-  EXPECT_THAT(started.error().log, HasSubstr("NUL"));
+  const std::pair<std::string, std::string> rows[] = {
+      {"[\0\0\0la\0 nknown ; 1\n"s, "NUL"},
+      {"\n[?lab]\n", "lab.toml:2:"},
+      {"# für alle\n[lab]\naccept = „true“\n", "lab.toml:3: letters beyond a-z"},
+      {"[lab]\nlanguage = \"\"\"de\"\"\"\n", "lab.toml:2: a text stands on one line"},
+  };
+  for (const auto& [configuration, expected] : rows) {
+    const TemporaryFolder folder;
+    const auto started = ServerProcess::start(
+        {.data = folder.path() / "data", .log = {}, .port = 0, .configuration = configuration, .more = {}});
+    ASSERT_FALSE(started);
+    EXPECT_EQ(started.error().exit_code, 1);
+    EXPECT_THAT(started.error().log, HasSubstr(expected));
+  }
 }
 
 TEST(ServerStart, a_data_folder_that_cannot_be_made_is_told_with_the_remedy) {
