@@ -33,8 +33,12 @@ struct ConfigKey {
 std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
     if (c == '"' || c == '\\') result += '\\';
-    result += c;
+    if (byte < 0x20 || byte == 0x7F)
+      result += fmt::format("\\u{:04X}", byte);
+    else
+      result += c;
   }
   return result + '"';
 }
@@ -249,9 +253,10 @@ std::expected<lab::Configuration, std::string> read_configuration(const std::fil
 
 std::expected<lab::Configuration, std::string> parse_configuration(std::string_view text,
                                                                    const std::filesystem::path& file) {
-  if (const auto unfit = unfit_text(text))
-    return std::unexpected(fmt::format("{}:{}: {}", file.string(), unfit->line, unfit->reason));
-  return parsed(file, [&] { return toml::parse(text, file.string()); });
+  const auto ascii = ascii_configuration(text);
+  if (!ascii)
+    return std::unexpected(fmt::format("{}:{}: {}", file.string(), ascii.error().line, ascii.error().reason));
+  return parsed(file, [&] { return toml::parse(*ascii, file.string()); });
 }
 
 std::string print_configuration(const Configuration& configuration) {

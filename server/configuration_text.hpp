@@ -1,7 +1,7 @@
 // What a configuration file may be made of, looked at before its parser reads it.
 #pragma once
 
-#include <optional>
+#include <expected>
 #include <string>
 #include <string_view>
 
@@ -14,8 +14,9 @@ struct UnfitText {
   bool operator==(const UnfitText&) const = default;
 };
 
-/// The first place with a NUL byte, a letter beyond ASCII outside of comments and quotes (a typographic quotation mark, for instance), or a
-/// text over several lines. The parser takes for granted that there is none of these, or says it in its own terms.
-std::optional<UnfitText> unfit_text(std::string_view text);
+/// The same configuration in ASCII: comments left out, letters beyond ASCII in "quotes" written as \U00000000. The
+/// parser (toml++ 3.3) leaves it undefined what becomes of such a letter anywhere else, so those are refused:
+/// typographic quotation marks, for instance; so are NUL bytes, malformed UTF-8 and texts over several lines.
+std::expected<std::string, UnfitText> ascii_configuration(std::string_view text);
 
 }  // namespace cnclab

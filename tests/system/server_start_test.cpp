@@ -97,6 +97,8 @@ TEST(ServerStart, a_configuration_that_is_none_is_refused) {
       {"[\0\0\0la\0 nknown ; 1\n"s, "NUL"},
       {"\n[?lab]\n", "lab.toml:2:"},
       {"# für alle\n[lab]\naccept = „true“\n", "lab.toml:3: letters beyond a-z"},
+      {"[server]\ndata = '/srv/übung'\n", "lab.toml:2: letters beyond a-z need double"},
+      {"[server]\ndata = \"/srv/\xFC\"\n", "lab.toml:2: this letter is no UTF-8"},
       {"[lab]\nlanguage = \"\"\"de\"\"\"\n", "lab.toml:2: a text stands on one line"},
   };
   for (const auto& [configuration, expected] : rows) {
