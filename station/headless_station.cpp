@@ -37,16 +37,25 @@ asio::awaitable<std::expected<LoggedIn, Ending>> log_in_unasked(Door door, Crede
   co_return std::unexpected(ending_of(std::get<v1::LoginAnswer>(attempt.error()), language_of_locale()));
 }
 
-// The file that holds the password now; a typed one is not kept.
+// With the file that holds the password now, or the one that was typed. Who is found logged in elsewhere by now has
+// been replaced there while the line was broken (SEAT-003).
 asio::awaitable<std::expected<LoggedIn, Ending>> log_in_again(Options options, bool has_new_password,
-                                                              v1::LoginAnswer why) {
+                                                              std::string typed) {
   const auto& file = has_new_password ? options.new_password_file : options.password_file;
-  if (!file) co_return std::unexpected(ending_of(why, language_of_locale()));
-  auto password = read_password(*file);
-  if (!password) co_return std::unexpected(password.error());
   Credentials credentials = without_password(options);
-  credentials.password = std::move(*password);
-  co_return co_await log_in_unasked(options.door(), std::move(credentials));
+  credentials.password = std::move(typed);
+  if (file) {
+    auto password = read_password(*file);
+    if (!password) co_return std::unexpected(password.error());
+    credentials.password = std::move(*password);
+  }
+  auto attempt = co_await attempt_login(options.door(), std::move(credentials));
+  if (attempt) co_return std::move(*attempt);
+  if (const auto* const ending = std::get_if<Ending>(&attempt.error())) co_return std::unexpected(*ending);
+  const auto& answer = std::get<v1::LoginAnswer>(attempt.error());
+  Ending refused = ending_of(answer, language_of_locale());
+  if (answer.result() == v1::LOGIN_RESULT_ELSEWHERE) refused.code = ExitCode::replaced;
+  co_return std::unexpected(std::move(refused));
 }
 
 bool write_whole(int descriptor, const std::string& text) {
@@ -69,8 +78,8 @@ asio::awaitable<Ending> run_headless(Options options, int input, int output, std
   if (!login) co_return login.error();
   const bool was_forced = login->has_new_password;
   const Session* begun = nullptr;
-  const auto relogin = [&](v1::LoginAnswer why) {
-    return log_in_again(options, was_forced || begun->has_new_password(), std::move(why));
+  const auto relogin = [&](const v1::LoginAnswer& /*why*/) {
+    return log_in_again(options, was_forced || begun->has_new_password(), given.password);
   };
   std::optional<Headless::PasswordChange> change;
   if (given.new_password && !was_forced) change = {given.password, *given.new_password};

@@ -24,6 +24,7 @@ struct Desk {
   bool has_new_password = false;  // the file of the new password holds from now on
   std::string last_user = {};     // proposed when the form comes back
   std::uint32_t last_seat = 0;
+  Credentials typed = {};  // in the form, for the way back after the server was started anew (SEAT-005)
 };
 
 std::expected<Credentials, Ending> known_credentials(const Desk& desk) {
@@ -44,6 +45,9 @@ std::expected<Credentials, Ending> known_credentials(const Desk& desk) {
     auto password = read_password(*options.password_file);
     if (!password) return std::unexpected(password.error());
     credentials.password = std::move(*password);
+  } else {
+    credentials.password = desk.typed.password;
+    if (desk.typed.elsewhere == v1::ELSEWHERE_LOOK_ON) credentials.elsewhere = desk.typed.elsewhere;
   }
   return credentials;
 }
@@ -75,7 +79,10 @@ asio::awaitable<std::expected<Credentials, Ending>> fill_in(Desk& desk, LoginQue
       const auto* const input = std::get_if<Input>(&*event);
       if (input == nullptr) continue;
       const auto state = form.handle(*input);
-      if (state == LoginForm::State::submitted) co_return form.credentials();
+      if (state == LoginForm::State::submitted) {
+        desk.typed = form.credentials();
+        co_return desk.typed;
+      }
       if (state == LoginForm::State::cancelled) co_return std::unexpected(Ending{ExitCode::ended_by_user, ""});
     }
     if (has_room(desk.terminal, language)) {
@@ -98,6 +105,7 @@ asio::awaitable<std::expected<LoggedIn, Ending>> log_in_here(Desk& desk, std::op
   desk.is_form_open = false;
   if (login) {
     desk.has_new_password = desk.has_new_password || login->has_new_password;
+    if (login->has_new_password && desk.typed.new_password) desk.typed.password = *desk.typed.new_password;
     desk.last_user = login->answer.user();
     desk.last_seat = login->answer.station();
   }
@@ -113,6 +121,7 @@ asio::awaitable<Ending> sit(Desk& desk, std::function<void()>& leave) {
     if (begun->has_new_password()) {  // the files hold what was before
       desk.options.password_file.reset();
       desk.options.new_password_file.reset();
+      desk.typed.password.clear();
     }
     return log_in_here(desk, std::move(why));
   });

@@ -27,32 +27,49 @@ Refuse locked_at(int station) {
   return {"Die Tastatur von Platz " + number + " ist gesperrt.", "The keyboard of station " + number + " is locked."};
 }
 
-std::string at_station(const std::string& who, int station, language::Tongue tongue) {
-  if (station == 0) return who;
-  const char* place = tongue == language::Tongue::german ? "Platz " : "station ";
-  return place + std::to_string(station) + ", " + who;
+std::string at_station(const HaltPressed& press, Tongue tongue) {
+  if (press.station == 0) return press.who;
+  const char* place = tongue == Tongue::german ? "Platz " : "station ";
+  return place + std::to_string(press.station) + ", " + press.who;
+}
+
+/// For the journal: what was done, and which instructor ordered it.
+std::string by(const std::string& what, const std::string& who) {
+  if (who.empty()) return what;
+  return what.empty() ? who : what + " (" + who + ")";
 }
 
 }  // namespace
 
-std::string Authority::halted_by(language::Tongue tongue) const { return at_station(halted_by_, halted_at_, tongue); }
+std::string Authority::halted_by(Tongue tongue) const {
+  std::string all;
+  for (const HaltPressed& press : halts_) all += (all.empty() ? "" : "; ") + at_station(press, tongue);
+  return all;
+}
+
+bool Authority::holds_halt(db::PersonId person) const {
+  return std::ranges::find(halts_, person, &HaltPressed::person) != halts_.end();
+}
 
 const Authority::Table& Authority::table() {
   using A = Authority;
-  // Columns: LoggedIn, LoggedOut, Select, ReleaseIt, Accept, Decline, Heard, HaltPressed, HaltCleared, PowerSwitched,
-  //          Locked, Deprived, Polled
+  // Columns: LoggedIn, LoggedOut, Select, ReleaseIt, Accept, Decline, Heard, HaltPressed, HaltReleased, HaltCleared,
+  //          PowerSwitched, Locked, Deprived, Polled
   static const Table kTable{{
-      /* nobody   */ {&A::note_login, &A::leave, &A::select, &A::release_nothing, &A::ignore, &A::ignore, &A::ignore,
-                      &A::halt, &A::clear_halt, &A::switch_power, &A::lock, &A::deprive, &A::ignore},
+      /* nobody   */
+      {&A::note_login, &A::leave, &A::select, &A::release_nothing, &A::ignore, &A::ignore, &A::ignore, &A::halt,
+       &A::release_halt, &A::clear_halt, &A::switch_power, &A::lock, &A::deprive, &A::ignore},
       /* offered  */
       {&A::note_login, &A::offer_withdrawn_by_leaving, &A::select, &A::withdraw_offer, &A::accept, &A::decline,
-       &A::ignore, &A::halt, &A::clear_halt, &A::switch_power, &A::lock, &A::deprive, &A::expire_offer},
+       &A::ignore, &A::halt, &A::release_halt, &A::clear_halt, &A::switch_power, &A::lock, &A::deprive,
+       &A::expire_offer},
       /* granted  */
       {&A::note_login, &A::lease_lost_by_leaving, &A::select_another, &A::release_lease, &A::ignore, &A::ignore,
-       &A::hear, &A::halt, &A::clear_halt, &A::switch_power, &A::lock, &A::deprive, &A::watch_silence},
+       &A::hear, &A::halt, &A::release_halt, &A::clear_halt, &A::switch_power, &A::lock, &A::deprive,
+       &A::watch_silence},
       /* stopping */
       {&A::note_login, &A::leave, &A::select_next, &A::release_next, &A::ignore, &A::ignore, &A::ignore, &A::halt,
-       &A::clear_halt, &A::switch_power, &A::lock, &A::deprive, &A::finish_stopping},
+       &A::release_halt, &A::clear_halt, &A::switch_power, &A::lock, &A::deprive, &A::finish_stopping},
   }};
   return kTable;
 }
@@ -101,7 +118,7 @@ void Authority::lease_lost_by_leaving(const Step& step) {
 
 void Authority::select(const Step& step) {
   const auto& wish = std::get<Select>(step.event);
-  if (!refuses_station(wish.station, step)) offer(wish.station, login_at(wish.station), step);
+  if (!refuses_station(wish.station, step)) offer(wish.station, login_at(wish.station), wish.who, step);
 }
 
 void Authority::select_another(const Step& step) {
@@ -113,34 +130,39 @@ void Authority::select_another(const Step& step) {
         Refuse{"Platz " + number + " hat die Maschine schon.", "Station " + number + " has the machine already."});
   } else if (!wish.force && !step.machine.at_rest()) {
     const Refuse reason = busy(step.machine);
-    journal(step, "refused", reason.english, wish.station, newest_);
+    journal(step, "refused", by(reason.english, wish.who), wish.station, newest_, wish.who);
     step.actions.emplace_back(reason);
   } else {
-    end_lease(StopCause::lease_ended, wish.force ? "selected by force" : "selected", step);
+    end_lease(StopCause::lease_ended, wish.force ? "selected by force" : "selected", step, wish.who);
     next_station_ = wish.station;
+    next_ordered_by_ = wish.who;
   }
 }
 
 void Authority::select_next(const Step& step) {
   const auto& wish = std::get<Select>(step.event);
-  if (!refuses_station(wish.station, step)) next_station_ = wish.station;
+  if (refuses_station(wish.station, step)) return;
+  next_station_ = wish.station;
+  next_ordered_by_ = wish.who;
 }
 
 void Authority::release_nothing(const Step&) {}
 
 void Authority::withdraw_offer(const Step& step) {
-  journal(step, "offer_void", "released", station_, Epoch{});
+  const std::string& who = std::get<ReleaseIt>(step.event).who;
+  journal(step, "offer_void", by("released", who), station_, Epoch{}, who);
   to_nobody();
 }
 
 void Authority::release_lease(const Step& step) {
-  if (!std::get<ReleaseIt>(step.event).force && !step.machine.at_rest()) {
+  const auto& wish = std::get<ReleaseIt>(step.event);
+  if (!wish.force && !step.machine.at_rest()) {
     const Refuse reason = busy(step.machine);
-    journal(step, "refused", reason.english, station_, newest_);
+    journal(step, "refused", by(reason.english, wish.who), station_, newest_, wish.who);
     step.actions.emplace_back(reason);
     return;
   }
-  end_lease(StopCause::lease_ended, "released", step);
+  end_lease(StopCause::lease_ended, "released", step, wish.who);
 }
 
 void Authority::release_next(const Step&) { next_station_ = 0; }
@@ -165,14 +187,17 @@ void Authority::expire_offer(const Step& step) {
 
 void Authority::hear(const Step& step) {
   const auto& sign = std::get<Heard>(step.event);
-  if (sign.login != login_ || sign.beat_sent_ns <= last_beat_ns_ || step.machine.lease_dead) return;
+  if (sign.login != login_) return;
+  is_console_behind_ = sign.is_console_behind;
+  if (sign.beat_sent_ns <= last_beat_ns_ || step.machine.lease_dead) return;
   last_beat_ns_ = std::min(sign.beat_sent_ns, step.now_ns);
   step.actions.emplace_back(Grant{newest_, expiry_ns(step.machine)});
 }
 
 void Authority::watch_silence(const Step& step) {
   if (step.now_ns <= expiry_ns(step.machine) && !step.machine.lease_dead) return;
-  end_lease(StopCause::lease_expired, "station silent", step);
+  end_lease(StopCause::lease_expired, is_console_behind_ ? "console silent" : "station silent", step);
+  if (is_console_behind_) step.actions.emplace_back(GiveKeysBack{login_});
 }
 
 void Authority::finish_stopping(const Step& step) {
@@ -181,45 +206,49 @@ void Authority::finish_stopping(const Step& step) {
   const int next = next_station_;
   const LoginId next_login = next == 0 ? kNoLogin : login_at(next);
   to_nobody();
-  if (next_login != kNoLogin) offer(next, next_login, step);
+  if (next_login != kNoLogin) offer(next, next_login, next_ordered_by_, step);
 }
 
 // --- halt and power ---------------------------------------------------------------------------------------------
 
 void Authority::halt(const Step& step) {
   const auto& press = std::get<HaltPressed>(step.event);
-  // The stop acts every time; the latch keeps its first cause.
-  step.actions.emplace_back(Latch{true});
-  if (!halted_) {
-    halted_ = true;
-    halted_login_ = press.login;
-    halted_by_ = press.who;
-    halted_at_ = press.station;
-  }
-  journal(step, "halt", at_station(press.who, press.station, Tongue::english), selected(), newest_);
+  step.actions.emplace_back(Latch{true});  // the stop acts every time, whoever holds it already
+  if (!holds_halt(press.person)) halts_.push_back(press);
+  journal(step, "halt", at_station(press, Tongue::english), selected(), newest_);
 }
 
-void Authority::clear_halt(const Step& step) {
-  const LoginId login = std::get<HaltCleared>(step.event).login;
-  if (!halted_) return;
-  if (login != kNoLogin && login != halted_login_) {
+void Authority::release_halt(const Step& step) {
+  const db::PersonId person = std::get<HaltReleased>(step.event).person;
+  if (halts_.empty()) return;
+  const auto own = std::ranges::find(halts_, person, &HaltPressed::person);
+  if (own == halts_.end()) {
     step.actions.emplace_back(
         Refuse{"MASCHINE HALT löst nur, wer gedrückt hat (" + halted_by(Tongue::german) + "), oder die Lehrkraft.",
                "MASCHINE HALT is released by " + halted_by(Tongue::english) + " or the instructor only."});
     return;
   }
-  journal(step, "halt_cleared", halted_by(Tongue::english), selected(), newest_);
-  halted_ = false;
-  halted_login_ = kNoLogin;
-  halted_by_.clear();
-  halted_at_ = 0;
+  const std::string released = at_station(*own, Tongue::english);
+  halts_.erase(own);
+  const bool is_over = halts_.empty();
+  journal(step, "halt_cleared", is_over ? released : released + "; still halted by " + halted_by(Tongue::english),
+          selected(), newest_);
+  if (is_over) step.actions.emplace_back(Latch{false});
+}
+
+void Authority::clear_halt(const Step& step) {
+  if (halts_.empty()) return;
+  const std::string& who = std::get<HaltCleared>(step.event).who;
+  journal(step, "halt_cleared", by(halted_by(Tongue::english), who), selected(), newest_, who);
+  halts_.clear();
   step.actions.emplace_back(Latch{false});
 }
 
 void Authority::switch_power(const Step& step) {
-  powered_ = std::get<PowerSwitched>(step.event).on;
+  const auto& order = std::get<PowerSwitched>(step.event);
+  powered_ = order.on;
   step.actions.emplace_back(SwitchPower{powered_});
-  journal(step, powered_ ? "power_on" : "power_off", "", selected(), newest_);
+  journal(step, powered_ ? "power_on" : "power_off", order.who, selected(), newest_, order.who);
 }
 
 // --- keyboards --------------------------------------------------------------------------------------------------
@@ -256,19 +285,22 @@ bool Authority::refuses_station(int station, const Step& step) const {
   const LoginId login = login_at(station);
   const bool is_locked = locked_.contains(login);
   if (login != kNoLogin && !is_locked) return false;
-  journal(step, "refused", is_locked ? "keyboard locked" : "nobody logged in", station, Epoch{});
+  const std::string& who = std::get<Select>(step.event).who;
+  journal(step, "refused", by(is_locked ? "keyboard locked" : "nobody logged in", who), station, Epoch{}, who);
   step.actions.emplace_back(is_locked ? locked_at(station) : nobody_at(station));
   return true;
 }
 
-void Authority::offer(int station, LoginId login, const Step& step) {
-  if (phase_ == Phase::offered) journal(step, "offer_void", "another station selected", station_, Epoch{});
+void Authority::offer(int station, LoginId login, const std::string& who, const Step& step) {
+  if (phase_ == Phase::offered)
+    journal(step, "offer_void", by(station == station_ ? "offered anew" : "another station selected", who), station_,
+            Epoch{}, who);
   phase_ = Phase::offered;
   station_ = station;
   login_ = login;
   next_station_ = 0;
   offered_until_ns_ = step.now_ns + rules_.offer_ns;
-  journal(step, "offer", "", station, Epoch{});
+  journal(step, "offer", who, station, Epoch{}, who);
   if (!rules_.accept_needed) grant(step);
 }
 
@@ -276,14 +308,15 @@ void Authority::grant(const Step& step) {
   phase_ = Phase::granted;
   newest_ = Epoch{static_cast<std::uint64_t>(newest_) + 1};
   last_beat_ns_ = step.now_ns;
+  is_console_behind_ = false;
   step.actions.emplace_back(Grant{newest_, expiry_ns(step.machine)});
   step.actions.emplace_back(Connect{login_, true});
   journal(step, "grant", "", station_, newest_);
 }
 
-void Authority::end_lease(StopCause cause, const std::string& why, const Step& step) {
+void Authority::end_lease(StopCause cause, const std::string& why, const Step& step, const std::string& who) {
   step.actions.emplace_back(Revoke{cause});
-  journal(step, "lease_ended", why, station_, newest_);
+  journal(step, "lease_ended", by(why, who), station_, newest_, who);
   phase_ = Phase::stopping;
 }
 
@@ -303,8 +336,10 @@ std::int64_t Authority::expiry_ns(const MachineView& machine) const {
   return last_beat_ns_ + (machine.manual_motion ? rules_.silence_manual_ns : rules_.silence_lease_ns);
 }
 
-void Authority::journal(const Step& step, std::string kind, std::string detail, int station, Epoch lease) {
-  step.actions.emplace_back(Journal{std::move(kind), std::move(detail), station, lease});
+void Authority::journal(const Step& step, std::string kind, std::string detail, int station, Epoch lease,
+                        std::string who) const {
+  const LoginId login = station != 0 && station == station_ ? login_ : login_at(station);
+  step.actions.emplace_back(Journal{std::move(kind), std::move(detail), station, lease, login, std::move(who)});
 }
 
 }  // namespace cnclab::lab

@@ -7,7 +7,9 @@
 // Events go in with the time, actions come out; the lab carries them out in their order. Rules that hold at all times:
 //  1. A lease exists only in `granted`, for exactly one login; its number is greater than all before.
 //  2. The way from one lease to the next leads through `stopping` and the machine's standstill.
-//  3. A halt is no phase of its own: it latches the channel, whatever the phase, until it is cleared.
+//  3. A halt is no phase of its own: it latches the channel, whatever the phase, until each of those who have pressed
+//  it
+//     has released it, or the instructor has cleared it.
 #pragma once
 
 #include <array>
@@ -18,6 +20,7 @@
 #include <variant>
 #include <vector>
 
+#include "db/types.hpp"
 #include "language/units.hpp"
 #include "machine/channel.hpp"
 
@@ -59,9 +62,11 @@ struct LoggedOut {
 struct Select {
   int station = 0;
   bool force = false;
+  std::string who{};  ///< the instructor, for the journal
 };
 struct ReleaseIt {
   bool force = false;
+  std::string who{};
 };
 struct Accept {
   LoginId login{};
@@ -72,17 +77,22 @@ struct Decline {
 struct Heard {
   LoginId login{};
   std::int64_t beat_sent_ns = 0;
+  bool is_console_behind = false;  ///< of station and console that types there, the console answered the older beat
 };  ///< a sign of life and the beat that it answers
 struct HaltPressed {
-  LoginId login{};
+  db::PersonId person{};
   std::string who;
   int station = 0;  ///< where it was pressed; 0: at no station
-};  ///< kNoLogin: the instructor
+};
+struct HaltReleased {
+  db::PersonId person{};
+};  ///< who has pressed takes back the own press, at whatever station (AUTH-006)
 struct HaltCleared {
-  LoginId login{};
-};  ///< kNoLogin: the instructor
+  std::string who;
+};  ///< the instructor takes back everybody's
 struct PowerSwitched {
   bool on = false;
+  std::string who{};
 };
 struct Locked {
   LoginId login{};
@@ -93,8 +103,8 @@ struct Deprived {
   std::string why;
 };  ///< what that login has of the machine ends, the login stays: the console that typed for it is lost (AUTH-016)
 struct Polled {};  ///< time passed
-using Event = std::variant<LoggedIn, LoggedOut, Select, ReleaseIt, Accept, Decline, Heard, HaltPressed, HaltCleared,
-                           PowerSwitched, Locked, Deprived, Polled>;
+using Event = std::variant<LoggedIn, LoggedOut, Select, ReleaseIt, Accept, Decline, Heard, HaltPressed, HaltReleased,
+                           HaltCleared, PowerSwitched, Locked, Deprived, Polled>;
 inline constexpr std::size_t kEvents = std::variant_size_v<Event>;
 
 // Actions
@@ -116,6 +126,10 @@ struct Latch {
 struct SwitchPower {
   bool on = false;
 };
+/// The console that types for that login has fallen silent: the station has its keys back (AUTH-016).
+struct GiveKeysBack {
+  LoginId login{};
+};
 struct Refuse {
   std::string german, english;
 };
@@ -123,8 +137,10 @@ struct Journal {
   std::string kind, detail;
   int station = 0;
   Epoch lease{};
+  LoginId login{};    ///< whom it concerns, also where that login ends with this very step
+  std::string who{};  ///< the instructor who ordered it, empty if nobody did
 };  ///< AUTH-015
-using Action = std::variant<Grant, Revoke, Connect, Latch, SwitchPower, Refuse, Journal>;
+using Action = std::variant<Grant, Revoke, Connect, Latch, SwitchPower, GiveKeysBack, Refuse, Journal>;
 using Actions = std::vector<Action>;
 
 struct AuthorityRules {
@@ -149,12 +165,11 @@ class Authority {
   [[nodiscard]] LoginId asked() const { return phase_ == Phase::offered ? login_ : kNoLogin; }
   [[nodiscard]] int next_station() const { return next_station_; }  ///< waits for standstill, 0 none
   [[nodiscard]] Epoch newest() const { return newest_; }
-  [[nodiscard]] bool is_halted() const { return halted_; }
-  [[nodiscard]] LoginId halted_by_login() const { return halted_login_; }
-  /// Who holds the halt, empty if nobody, and where it was pressed: 0 at no station.
-  [[nodiscard]] const std::string& halted_by() const { return halted_by_; }
-  [[nodiscard]] int halted_at() const { return halted_at_; }
-  /// Both in words: "Platz 2, otto", "station 2, otto", "lehrer".
+  [[nodiscard]] bool is_halted() const { return !halts_.empty(); }
+  /// Who holds the halt, in the order of pressing; each person once, empty if nobody.
+  [[nodiscard]] const std::vector<HaltPressed>& halts() const { return halts_; }
+  [[nodiscard]] bool holds_halt(db::PersonId person) const;
+  /// All of them in words: "Platz 2, otto", "station 2, otto; lehrer".
   [[nodiscard]] std::string halted_by(language::Tongue tongue) const;
   [[nodiscard]] bool is_powered() const { return powered_; }
 
@@ -186,6 +201,7 @@ class Authority {
   void decline(const Step& step);
   void hear(const Step& step);
   void halt(const Step& step);
+  void release_halt(const Step& step);
   void clear_halt(const Step& step);
   void switch_power(const Step& step);
   void lock(const Step& step);
@@ -195,31 +211,31 @@ class Authority {
   void finish_stopping(const Step& step);
   void ignore(const Step& step);
 
-  void offer(int station, LoginId login, const Step& step);
+  void offer(int station, LoginId login, const std::string& who, const Step& step);
   void grant(const Step& step);
-  void end_lease(machine::StopCause cause, const std::string& why, const Step& step);
+  void end_lease(machine::StopCause cause, const std::string& why, const Step& step, const std::string& who = {});
   void take_away(LoginId login, const std::string& why, const Step& step);
   /// Notes that the station cannot be selected: nobody is there, or the keyboard is locked.
   [[nodiscard]] bool refuses_station(int station, const Step& step) const;
   void to_nobody();
   [[nodiscard]] LoginId login_at(int station) const;
   [[nodiscard]] std::int64_t expiry_ns(const MachineView& machine) const;
-  static void journal(const Step& step, std::string kind, std::string detail, int station, Epoch lease);
+  void journal(const Step& step, std::string kind, std::string detail, int station, Epoch lease,
+               std::string who = {}) const;
 
   AuthorityRules rules_;
   Phase phase_ = Phase::nobody;
   int station_ = 0;  ///< asked, holding, or the one whose lease is ending
   LoginId login_ = kNoLogin;
   int next_station_ = 0;  ///< to be asked after standstill, 0 none
+  std::string next_ordered_by_;
   Epoch newest_{};
   std::int64_t offered_until_ns_ = 0;
-  std::int64_t last_beat_ns_ = 0;  ///< when the newest beat that the holder answered was sent
+  std::int64_t last_beat_ns_ = 0;   ///< when the newest beat that the holder answered was sent
+  bool is_console_behind_ = false;  ///< what keeps that beat from being newer is the console, not the station
   std::map<int, LoginId> logins_;
   std::set<LoginId> locked_;
-  bool halted_ = false;
-  LoginId halted_login_ = kNoLogin;
-  std::string halted_by_;
-  int halted_at_ = 0;
+  std::vector<HaltPressed> halts_;
   bool powered_ = true;
 };
 

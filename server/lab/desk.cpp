@@ -58,6 +58,10 @@ void Desk::set_workpiece(const machine::WorkpieceSpec& spec) {
   control.set_workpiece(spec);
 }
 
+bool Desk::awaits_machine() const {
+  return control.awaits_machine() || (stopping && stopping->channel->snapshot().tick < stopping->heeded_at_tick);
+}
+
 std::uint64_t Desk::handled() const {
   if (storing && *storing > 0) return *storing - 1;
   if (switching && *switching > 0) return *switching - 1;

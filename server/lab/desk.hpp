@@ -83,9 +83,15 @@ struct Desk {
   std::int64_t station_beat_ns = 0;  ///< when the newest beat that the station answered was sent
   std::int64_t console_beat_ns = 0;  ///< as well, of the console that types
 
-  std::deque<Input> waiting;                ///< keys that came while something was being stored
-  std::uint64_t received = 0;               ///< number of the last input that came
-  std::optional<std::uint64_t> switching;   ///< number of the input whose order the machine has yet to take
+  std::deque<Input> waiting;               ///< keys that came while something was being stored
+  std::uint64_t received = 0;              ///< number of the last input that came
+  std::optional<std::uint64_t> switching;  ///< number of the input whose order the machine has yet to take
+  /// A STOP, and the tick of the channel told to stop that has surely heeded it: until then no screen shows it.
+  struct Stopping {
+    std::shared_ptr<machine::Channel> channel;
+    std::uint64_t heeded_at_tick = 0;
+  };
+  std::optional<Stopping> stopping;
   std::optional<std::uint64_t> storing;     ///< number of the input whose store is on its way
   bool ignore_start_until_release = false;  ///< the START that accepted an offer (AUTH-005)
   std::optional<LaborMenu> labor;           ///< the lab's menu while it is open (key LABOR)
@@ -107,6 +113,8 @@ struct Desk {
   bool was_busy = false;
   panel::Indication indicated;  ///< of the machine at rest, when it was looked at last
 
+  /// The machine has yet to take what the newest input ordered.
+  [[nodiscard]] bool awaits_machine() const;
   /// Every input up to this number has had its effect.
   [[nodiscard]] std::uint64_t handled() const;
 

@@ -132,9 +132,10 @@ void Lab::poll() {
   static_cast<void>(decide(Polled{}, configuration_.tongue));
   settle_machine_data();
   for (const DeskPtr& desk : seats_.list()) {
+    const bool is_settled = !desk->awaits_machine();  // asked first: the control follows what is no older
     if (panel::Outcome followed = desk->control.poll(now(*desk)); followed.is_anything())
       outcome(desk, std::move(followed), 0);
-    heed_switched(desk);
+    if (is_settled) heed_switched(desk);
     watch_media(desk, now_ns);
     watch_recorder(desk);
     record_run(desk);

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -110,12 +111,18 @@ class Lab {
   void vacate(const VisitPtr& visit, const std::string& why);   ///< the desk stays for a while
   void log_out(const VisitPtr& visit, const std::string& why);  ///< the desk goes
   void dismiss(const DeskPtr& desk);
+  void expel(const DeskPtr& desk);
+  /// Who looks on at their own control saw it at the seat that it leaves now.
+  void end_looking_on(const DeskPtr& desk);
 
   // lab_keys.cpp
   void take_key(const VisitPtr& visit, const v1::KeyEvent& event);
   void take_potentiometer(const VisitPtr& visit, const v1::Potentiometer& turn);
   void take_input(const VisitPtr& visit, Input input);
-  [[nodiscard]] bool take_urgent(const DeskPtr& desk, const Input& input);
+  /// STOP and MASCHINE HALT act at once, whatever else is held and whatever waits.
+  [[nodiscard]] bool take_urgent(const VisitPtr& visit, const DeskPtr& desk, const Input& input);
+  void stop_pressed(const DeskPtr& desk, std::uint64_t number);
+  void halt_key_pressed(const VisitPtr& visit, const DeskPtr& desk);
   void pump(const DeskPtr& desk);
   void act(const DeskPtr& desk, const Input& input);
   void start_pressed(const DeskPtr& desk, const Input& input);
@@ -131,7 +138,8 @@ class Lab {
   void judge_remote_start(const DeskPtr& desk, const panel::RemoteStart& start);
 
   // lab_labor.cpp
-  /// The lab's menu gets the key: LABOR, and every other one while it is open, but for the START that accepts an offer.
+  /// The lab's menu gets the key: LABOR, and every other one while it is open, but for RESET, which acts in every state
+  /// (DEC-39), and the START that accepts an offer.
   [[nodiscard]] bool takes_for_menu(const Desk& desk, Key key) const;
   void labor_key(const DeskPtr& desk, Key key);
   /// A message of the instructor: row 18 now, and on the menu's list.
@@ -192,6 +200,7 @@ class Lab {
   void set_locked(const DeskPtr& desk, bool on);
   void take_keyboard(const VisitPtr& console, const DeskPtr& desk);
   void give_back(const DeskPtr& desk);
+  void give_back_from_lost_console(const DeskPtr& desk);
   /// A console goes: what it typed for stops where it is the machine's, else everything stays as it is.
   void let_go_of_keyboard(const VisitPtr& console);
   void show_to_all(int station);
@@ -229,6 +238,7 @@ class Lab {
   void draw(const DeskPtr& desk, std::int64_t now_ns);
   void present(const DeskPtr& desk, int beeps);
   void push(const VisitPtr& visit);
+  [[nodiscard]] bool watches(const Visit& visit, const DeskPtr& desk) const;
   /// Who watches a seat at which nobody is any more, or yet, is told so instead of an old screen.
   void show_empty_seats();
   void everybody_changed();
@@ -257,9 +267,10 @@ class Lab {
   LabMachine machine_;
   std::vector<VisitPtr> visits_;
   Seats seats_;
-  std::weak_ptr<Desk> lab_desk_;   ///< whose control is connected to the lab machine
-  std::set<db::PersonId> locked_;  ///< whose keyboards are locked, wherever they sit (SEC-007)
-  int shown_station_ = 0;          ///< whose screen all see, 0 nobody's (INS-002)
+  std::weak_ptr<Desk> lab_desk_;      ///< whose control is connected to the lab machine
+  std::deque<std::string> expelled_;  ///< tickets of those who were expelled while their line was broken
+  std::set<db::PersonId> locked_;     ///< whose keyboards are locked, wherever they sit (SEC-007)
+  int shown_station_ = 0;             ///< whose screen all see, 0 nobody's (INS-002)
   SerialLines lines_;
   std::uint64_t logins_ = 0;
   std::int64_t house_kept_ns_ = 0;  ///< 0: not yet

@@ -42,9 +42,12 @@ void Lab::carry_out(const Action& action) {
         power->on ? machine_.channel()->command(machine::PowerOn{}) : machine_.channel()->command(machine::PowerOff{});
     if (!taken) machine_.channel()->stop(machine::StopCause::power_off);
   }
+  if (const auto* back = std::get_if<GiveKeysBack>(&action))
+    if (const DeskPtr desk = seats_.with(back->login)) give_back_from_lost_console(desk);
   if (const auto* entry = std::get_if<Journal>(&action)) {
-    const DeskPtr desk = seats_.at(entry->station);
-    journal_.write(entry->kind, entry->detail, entry->station, desk ? desk->person.name : "", entry->lease);
+    // The student's own journal has it, also where the line has just gone; of what concerns no seat, the instructor's.
+    const DeskPtr desk = entry->login == kNoLogin ? nullptr : seats_.with(entry->login);
+    journal_.write(entry->kind, entry->detail, entry->station, desk ? desk->person.name : entry->who, entry->lease);
     spdlog::info("{} station {} lease {} {}", entry->kind, entry->station, static_cast<std::uint64_t>(entry->lease),
                  entry->detail);
   }
@@ -95,9 +98,9 @@ void Lab::heard(const VisitPtr& visit, std::uint64_t beat) {
   std::int64_t& own_ns = visit->desk ? desk->station_beat_ns : desk->console_beat_ns;
   own_ns = std::max(own_ns, *sent_ns);
   // Where a console types, both must live: at the station STOP is pressed by whoever stands at the machine (AUTH-016).
-  const std::int64_t oldest_ns =
-      desk->taken_by.empty() ? desk->station_beat_ns : std::min(desk->station_beat_ns, desk->console_beat_ns);
-  static_cast<void>(decide(Heard{desk->login, oldest_ns}, configuration_.tongue));
+  const bool is_console_behind = !desk->taken_by.empty() && desk->console_beat_ns < desk->station_beat_ns;
+  const std::int64_t oldest_ns = is_console_behind ? desk->console_beat_ns : desk->station_beat_ns;
+  static_cast<void>(decide(Heard{desk->login, oldest_ns, is_console_behind}, configuration_.tongue));
 }
 
 void Lab::heed_watchdog() {

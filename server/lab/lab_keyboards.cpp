@@ -60,6 +60,11 @@ void Lab::let_go_of_keyboard(const VisitPtr& console) {
   const bool controls = desk->login != kNoLogin && desk->login == authority_.holder();
   if (!controls) return;  // still taken: the instructor's next console goes on, or gives it back
   static_cast<void>(decide(Deprived{desk->login, "console lost"}, configuration_.tongue));
+  give_back_from_lost_console(desk);
+}
+
+void Lab::give_back_from_lost_console(const DeskPtr& desk) {
+  journal_.write("keyboard_given", "console lost", desk->station, desk->person.name);
   give_back(desk);
   note(*desk, say(tongue_of(desk->person), "Die Konsole ist fort: die Maschine hält, die Tastatur ist wieder frei.",
                   "The console is gone: the machine stops, the keyboard is yours again."));

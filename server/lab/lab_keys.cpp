@@ -70,7 +70,7 @@ void Lab::take_input(const VisitPtr& visit, Input input) {
   }
   const bool lets_go = !input.pressed && !input.keys.empty();  // of a key that was held when the keyboard was barred
   const bool acts = by_console || lets_go || !bar(*desk);
-  if (!take_urgent(desk, input) && acts) {
+  if (!take_urgent(visit, desk, input) && acts) {
     if (desk->waiting.size() >= kMostWaiting) return hang_up(visit, "too many keys waiting");
     desk->waiting.push_back(std::move(input));
   }
@@ -78,28 +78,39 @@ void Lab::take_input(const VisitPtr& visit, Input input) {
   draw(desk, clock_.monotonic_ns());
 }
 
-bool Lab::take_urgent(const DeskPtr& desk, const Input& input) {
-  if (!input.pressed || input.keys.size() != 1) return false;
-  if (input.keys.front() == Key::STOP) {
-    const auto tongue = tongue_of(desk->person);
-    const bool declines = desk->login != kNoLogin && authority_.asked() == desk->login;
-    static_cast<void>(decide(Decline{desk->login}, tongue));
-    outcome(desk, desk->control.press(Key::STOP, now(*desk)), input.number);
-    if (declines) {
-      desk->control.drop_hint();
-      note(*desk, say(tongue, "Die Maschine ist abgelehnt.", "The machine is declined."));
-    }
-    return true;
+bool Lab::take_urgent(const VisitPtr& visit, const DeskPtr& desk, const Input& input) {
+  const bool stops = contains(input, Key::STOP), halts = contains(input, Key::MASCHINE_HALT);
+  if (!input.pressed || (!stops && !halts)) return false;
+  if (halts && !input.is_repeat) halt_key_pressed(visit, desk);
+  if (stops) stop_pressed(desk, input.number);
+  return true;
+}
+
+void Lab::stop_pressed(const DeskPtr& desk, std::uint64_t number) {
+  const auto tongue = tongue_of(desk->person);
+  const bool declines = desk->login != kNoLogin && authority_.asked() == desk->login;
+  static_cast<void>(decide(Decline{desk->login}, tongue));
+  const bool stops_run = desk->control.is_running();
+  panel::Outcome outcome_of_stop = desk->control.press(Key::STOP, now(*desk));
+  if (stops_run) {  // the tick in progress may just have looked for stops
+    const auto& channel = desk->on_lab_machine ? machine_.channel() : desk->training();
+    desk->stopping = Desk::Stopping{channel, channel->snapshot().tick + 2};
   }
-  if (input.keys.front() == Key::MASCHINE_HALT) {
-    if (input.is_repeat) return true;
-    const auto tongue = tongue_of(desk->person);
-    const HaltPressed press{desk->login, desk->person.name, desk->station};
-    const bool release = authority_.is_halted() && authority_.halted_by_login() == desk->login;
-    note(*desk, release ? decide(HaltCleared{desk->login}, tongue) : decide(press, tongue));
-    return true;
-  }
-  return false;
+  outcome(desk, std::move(outcome_of_stop), number);
+  if (!declines) return;
+  desk->control.drop_hint();
+  note(*desk, say(tongue, "Die Maschine ist abgelehnt.", "The machine is declined."));
+}
+
+void Lab::halt_key_pressed(const VisitPtr& visit, const DeskPtr& desk) {
+  const auto tongue = tongue_of(desk->person);
+  // Who types at a console signs as its F12 does: at no station, and not as the student.
+  const HaltPressed press{visit->person.id, visit->person.name, visit->desk ? desk->station : 0};
+  if (!authority_.holds_halt(press.person)) return note(*desk, decide(press, tongue));
+  note(*desk, decide(HaltReleased{press.person}, tongue));
+  if (authority_.is_halted())
+    note(*desk, say(tongue, "MASCHINE HALT gilt noch, gedrückt von ", "MASCHINE HALT still holds, pressed by ") +
+                    authority_.halted_by(tongue) + ".");
 }
 
 void Lab::pump(const DeskPtr& desk) {
@@ -128,6 +139,7 @@ void Lab::act(const DeskPtr& desk, const Input& input) {
   if (input.keys.size() > 1) return outcome(desk, desk->control.press_chord(input.keys, now(*desk)), input.number);
   const Key key = input.keys.front();
   if (takes_for_menu(*desk, key)) return labor_key(desk, key);
+  if (key == Key::RESET) desk->labor.reset();
   if (key == Key::MELDUNG) {
     seats_.turn_hand(desk);
     return everybody_changed();
@@ -176,13 +188,14 @@ void Lab::outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t num
     note(*desk, say(tongue, "RESET hat die Maschine abgegeben.", "RESET has given the machine back."));
   }
   if (outcome.remote_start) judge_remote_start(desk, *outcome.remote_start);
-  if (!desk->switching && desk->control.awaits_machine()) desk->switching = number;
+  if (!desk->switching && desk->awaits_machine()) desk->switching = number;
   record_run(desk);  // a run that begins now is recorded with the versions that the store has now
 }
 
 void Lab::heed_switched(const DeskPtr& desk) {
-  if (!desk->switching || desk->control.awaits_machine()) return;
+  if (!desk->switching || desk->awaits_machine()) return;
   desk->switching.reset();
+  desk->stopping.reset();
   desk->is_dirty = true;
   pump(desk);
 }

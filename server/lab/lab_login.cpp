@@ -42,6 +42,12 @@ panel::Settings settings_for(const Configuration& configuration, const db::Perso
   return settings;
 }
 
+constexpr int kExpelled = 9;  ///< exit code of a station
+
+std::string expelled_text(language::Tongue tongue) {
+  return say(tongue, "Die Lehrkraft hat die Verbindung beendet.", "The instructor has ended the connection.");
+}
+
 }  // namespace
 
 void Lab::greet(const VisitPtr& visit, const v1::ClientMessage& message) {
@@ -119,7 +125,7 @@ void Lab::password_checked(const VisitPtr& visit, const std::optional<db::Person
     return refuse(visit, v1::LOGIN_RESULT_REFUSED,
                   say(configuration_.tongue, "Name oder Passwort ist falsch.", "Name or password is wrong."));
   }
-  guard_.succeeded(visit->login.user(), visit->peer->address());
+  guard_.succeeded(visit->login.user());
   visit->person = *person;
   if (person->must_change) {
     visit->stage = Stage::new_password;
@@ -197,7 +203,7 @@ void Lab::admit_elsewhere(const VisitPtr& visit, const DeskPtr& mine, int statio
     }
     case v1::ELSEWHERE_LOOK_ON: {
       visit->stage = Stage::looking_on;
-      visit->watched_station = mine->station;
+      visit->own_control = mine;
       auto message = answer_with(v1::LOGIN_RESULT_OK, "");
       message.mutable_login()->set_user(visit->person.name);
       message.mutable_login()->set_station(static_cast<std::uint32_t>(mine->station));
@@ -252,6 +258,8 @@ void Lab::restore_machine_data(const DeskPtr& desk) {
 }
 
 void Lab::resume(const VisitPtr& visit, const v1::Resume& resume) {
+  if (std::ranges::find(expelled_, resume.ticket()) != expelled_.end())
+    return farewell(visit, kExpelled, expelled_text(configuration_.tongue));
   const auto desks = seats_.all();
   const auto found = std::ranges::find_if(desks, [&](const DeskPtr& desk) {
     const std::string& ticket = desk->ticket;
@@ -283,6 +291,7 @@ void Lab::sit_down(const VisitPtr& visit, const DeskPtr& desk, int station) {
   visit->desk = desk;
   visit->feed = ScreenFeed{};
   desk->visit = visit;
+  if (desk->station != station) end_looking_on(desk);
   desk->station = station;
   desk->login = LoginId{++logins_};
   desk->ticket = random_ticket();
@@ -332,7 +341,6 @@ void Lab::vacate(const VisitPtr& visit, const std::string& why) {
   journal_.write("left", why, desk->station, desk->person.name);
   if (desk->station == shown_station_) show_to_all(0);
   save_state(desk);
-  seats_.lower_hand(*desk);
   everybody_changed();
 }
 
@@ -343,7 +351,30 @@ void Lab::log_out(const VisitPtr& visit, const std::string& why) {
   farewell(visit, 0, say(tongue_of(visit->person), "Abgemeldet.", "Logged out."));
 }
 
+void Lab::expel(const DeskPtr& desk) {
+  constexpr std::size_t kRemembered = 64;
+  if (const VisitPtr visit = desk->visit.lock()) {
+    vacate(visit, "expelled");
+    dismiss(desk);
+    return farewell(visit, kExpelled, expelled_text(tongue_of(desk->person)));
+  }
+  expelled_.push_back(desk->ticket);  // the station is told when its line is back
+  if (expelled_.size() > kRemembered) expelled_.pop_front();
+  dismiss(desk);
+}
+
+void Lab::end_looking_on(const DeskPtr& desk) {
+  const std::vector<VisitPtr> visits = visits_;
+  for (const VisitPtr& visit : visits)
+    if (visit->stage == Stage::looking_on && visit->own_control.lock() == desk)
+      farewell(visit, 0,
+               say(tongue_of(desk->person), "Die Anmeldung, der hier zugesehen wurde, ist beendet.",
+                   "The login that was looked at here has ended."));
+}
+
 void Lab::dismiss(const DeskPtr& desk) {
+  end_looking_on(desk);
+  seats_.lower_hand(*desk);
   if (desk->on_lab_machine) {  // its run is still coming to rest: poll asks again
     desk->keep_until_ns = 0;
     return;

@@ -65,7 +65,7 @@ void Lab::change_own_password(const VisitPtr& visit, const v1::ChangePassword& c
       return answer_password(visit, v1::LOGIN_RESULT_REFUSED,
                              say(tongue, "Das alte Passwort ist falsch.", "The old password is wrong."));
     }
-    guard_.succeeded(visit->person.name, visit->peer->address());
+    guard_.succeeded(visit->person.name);
     keep_password(visit, wish, [this, visit, tongue] {
       if (visit->stage != Stage::at_desk) return;
       const std::string text = say(tongue, "Das Passwort ist geändert.", "The password is changed.");

@@ -61,11 +61,18 @@ void Lab::draw(const DeskPtr& desk, std::int64_t now_ns) {
   seen.handled_key = 0;
   hide(seen.screen, desk->dnc_token);
   for (const VisitPtr& visit : visits_) {
-    if (visit->stage != Stage::looking_on && visit->stage != Stage::at_console) continue;
-    if (visit->watched_station != desk->station) continue;
+    if (!watches(*visit, desk)) continue;
     visit->feed.offer(seen, 0);
     push(visit);
   }
+}
+
+bool Lab::watches(const Visit& visit, const DeskPtr& desk) const {
+  if (visit.stage != Stage::looking_on && visit.stage != Stage::at_console) return false;
+  if (const DeskPtr own = visit.own_control.lock())
+    return own == desk;  // a student sees the own control alone (SEC-004)
+  return visit.watched_station != 0 && visit.watched_station == desk->station &&
+         seats_.working_at(desk->station) == desk;
 }
 
 void Lab::present(const DeskPtr& desk, int beeps) {
@@ -126,8 +133,10 @@ panel::SideView Lab::side_view(const Desk& desk, std::int64_t now_ns) const {
   side.on_lab_machine = desk.on_lab_machine;
   side.controlling_station = authority_.selected();
   side.override_percent = desk.control.override_percent();
-  side.halted_by = authority_.halted_by();
-  side.halted_at = authority_.halted_at();
+  if (authority_.is_halted()) {  // there is room for one name: the first of those who hold it
+    side.halted_by = authority_.halts().front().who;
+    side.halted_at = authority_.halts().front().station;
+  }
   side.meldung = seats_.hand_of(desk);
   side.bar = bar(desk).value_or("");
   side.keys_work = side.bar.empty() || !desk.taken_by.empty();

@@ -21,25 +21,26 @@ int LoginGuard::wait_seconds(const std::string& name, const std::string& address
 }
 
 void LoginGuard::failed(const std::string& name, const std::string& address, std::int64_t now_ns) {
-  count(name_key(name), now_ns);
-  count(address_key(address), now_ns);
+  count(record_of(name_key(name)), kFreeTries, now_ns);
+  Record& from_there = record_of(address_key(address));
+  const std::int64_t forgiven = (now_ns - from_there.last_ns) / (kForgivenEach_s * kSecond_ns);
+  from_there.failures -= static_cast<int>(std::clamp<std::int64_t>(forgiven, 0, from_there.failures));
+  count(from_there, kFreeTriesOfAddress, now_ns);
 }
 
-void LoginGuard::succeeded(const std::string& name, const std::string& address) {
-  records_.erase(name_key(name));
-  records_.erase(address_key(address));
-}
+void LoginGuard::succeeded(const std::string& name) { records_.erase(name_key(name)); }
 
-void LoginGuard::count(const std::string& key, std::int64_t now_ns) {
+LoginGuard::Record& LoginGuard::record_of(const std::string& key) {
   if (records_.size() >= kMostEntries && !records_.contains(key)) {
     const auto oldest = std::ranges::min_element(records_, {}, [](const auto& entry) { return entry.second.last_ns; });
     records_.erase(oldest);
   }
-  Record& record = records_[key];
+  return records_[key];
+}
+
+void LoginGuard::count(Record& record, int free_tries, std::int64_t now_ns) {
   ++record.failures;
   record.last_ns = now_ns;
-  // A class shares one address behind a router: addresses may fail as often as fifteen students together.
-  const int free_tries = key.front() == 'a' ? kFreeTries * 15 : kFreeTries;
   if (record.failures < free_tries) return;
   const int doublings = std::min(record.failures - free_tries, 5);
   record.blocked_until_ns = now_ns + std::min(std::int64_t{1} << doublings, kLongestDelay_s) * kSecond_ns;

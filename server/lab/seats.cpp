@@ -11,6 +11,14 @@ Seats::DeskPtr Seats::at(int station) const {
   return nullptr;
 }
 
+Seats::DeskPtr Seats::working_at(int station) const {
+  DeskPtr latest = at(station);
+  if (latest) return latest;
+  for (const DeskPtr& desk : all())
+    if (desk->station == station && (!latest || desk->keep_until_ns > latest->keep_until_ns)) latest = desk;
+  return latest;
+}
+
 Seats::DeskPtr Seats::of(db::PersonId person) const {
   const auto found = desks_.find(person);
   return found == desks_.end() ? nullptr : found->second;

@@ -40,6 +40,7 @@ struct Visit {
   std::shared_ptr<Desk> desk;         ///< at_desk
   bool has_media = false;             ///< a station with a folder for files
   int watched_station = 0;            ///< looking_on, at_console: whose screen is shown here, 0 nobody's
+  std::weak_ptr<Desk> own_control;    ///< looking_on at the own login elsewhere (SEAT-003): that control and no other
   std::weak_ptr<Desk> keyboard;       ///< at_console: whose keyboard it has taken over
   bool is_changing_password = false;  ///< at_desk: the old one is being compared, the new one hashed
   std::uint64_t received = 0;         ///< at_console: number of the last key that came

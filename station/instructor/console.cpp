@@ -67,7 +67,7 @@ class Console {
 
  private:
   LinkEvents events() {
-    return {.status = [this](const v1::Status& status) { model_.status = status; },
+    return {.status = [this](const v1::Status& status) { model_ = with_status(std::move(model_), status); },
             .answer =
                 [this](const v1::InstructorRequest& request, const v1::InstructorAnswer& answer) {
                   model_ = with_answer(std::move(model_), request, answer);

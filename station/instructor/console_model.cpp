@@ -165,7 +165,13 @@ Message done_message(const ConsoleModel& model, const v1::InstructorRequest& req
     return {fmt::format(fmt::runtime(form.in(model.language)), request.select().station()), false};
   }
   if (request.has_release()) return say(model, {"Niemand hat die Steuerung.", "Nobody has control."});
-  if (request.has_halt()) return say(model, {"MASCHINE HALT. c hebt ihn auf.", "MACHINE HALT. c clears it."});
+  if (request.has_halt()) {
+    Message halted = model.watched.is_typing  // c is a key of the student's there
+                         ? say(model, {"MASCHINE HALT. Nach F8 hebt c ihn auf.", "MACHINE HALT. After F8 c clears it."})
+                         : say(model, {"MASCHINE HALT. c hebt ihn auf.", "MACHINE HALT. c clears it."});
+    halted.is_of_halt = true;
+    return halted;
+  }
   if (request.has_clear_halt()) return say(model, {"Halt aufgehoben.", "Halt cleared."});
   if (request.has_power_off()) return say(model, {"Antriebe stromlos. p schaltet ein.", "Drives off. p switches on."});
   if (request.has_lock()) return say(model, {"Tastatur gesperrt. l gibt sie frei.", "Keyboard locked. l unlocks it."});
@@ -174,7 +180,7 @@ Message done_message(const ConsoleModel& model, const v1::InstructorRequest& req
   if (request.has_show() && request.show().station() != 0)
     return say(model, {"Alle sehen dieses Bild. v beendet es.", "All see this screen. v ends it."});
   if (request.has_power_on()) return say(model, {"Antriebe eingeschaltet.", "Drives on."});
-  return {};
+  return say(model, {"Erledigt.", "Done."});
 }
 
 /// Holds at once, so that the same key pressed again means the opposite: the next status may be a moment away.
@@ -206,6 +212,17 @@ Reaction react(ConsoleModel model, const Input& input) {
                     input);
 }
 
+ConsoleModel with_status(ConsoleModel model, const v1::Status& status) {
+  model.status = status;
+  if (model.message.is_of_halt && status.halted_by().empty()) model.message = {};
+  const auto* const seat = seat_of(status, model.watched.station);
+  if (model.watched.is_typing && (seat == nullptr || seat->taken_by() != model.user)) {
+    model.watched.is_typing = false;
+    model.message = say(model, {"Die Tastatur ist zurückgegeben.", "The keyboard is given back."});
+  }
+  return model;
+}
+
 ConsoleModel with_answer(ConsoleModel model, const v1::InstructorRequest& request, const v1::InstructorAnswer& answer) {
   if (!answer.error().empty()) {
     model.message = {answer.error(), true};
@@ -227,6 +244,10 @@ ConsoleModel with_answer(ConsoleModel model, const v1::InstructorRequest& reques
     model.page.clear();
     model.page_top = 0;
     for (const auto& item : answer.items()) append_lines(text_of(item), model.page);
+    return model;
+  }
+  if (answer.items().empty()) {
+    model.message = say(model, {"Keine Einträge.", "No entries."});
     return model;
   }
   const bool has_detail = is_line && !answer.items(0).done().detail().empty();

@@ -42,6 +42,7 @@ struct Watched {
 struct Message {
   std::string text;
   bool is_error = false;
+  bool is_of_halt = false;  ///< true no longer than the halt lasts
 };
 
 /// Everything that the console's screen shows.
@@ -86,6 +87,9 @@ struct Reaction {
   bool quits = false;
 };
 [[nodiscard]] Reaction react(ConsoleModel model, const Input& input);
+
+/// A newer status: what it says is over is no longer told, and nobody types at a keyboard that was given back.
+[[nodiscard]] ConsoleModel with_status(ConsoleModel model, const v1::Status& status);
 
 /// The answer to a command of the user's: its error or its detail goes to the message line.
 [[nodiscard]] ConsoleModel with_answer(ConsoleModel model, const v1::InstructorRequest& request,

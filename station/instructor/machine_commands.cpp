@@ -92,7 +92,10 @@ void add_machine(CommandTable& table) {
   machine_data.add_option("data", *data, "e.g. 06=3000")->type_name("06=3000")->check(machine_datum());
   const auto file = value<std::string>();
   auto& tools = table.add("tools", "prints or replaces the lab machine's tool list", [=](Command& c) {
-    c.request.mutable_tools()->set_tape(file->empty() ? "" : content_of(*file));
+    const std::string tape = file->empty() ? "" : content_of(*file);
+    if (!file->empty() && tape.empty())
+      throw CLI::ValidationError("FILE", *file + " is empty");  // would print the list
+    c.request.mutable_tools()->set_tape(tape);
   });
   tools.add_option("file", *file, "a tape with program P0000")->type_name("FILE")->check(CLI::ExistingFile);
   const auto size = value<std::vector<double>>();

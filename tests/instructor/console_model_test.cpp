@@ -138,6 +138,47 @@ TEST(ConsoleModel, INS_002_l_twice_locks_and_unlocks_before_the_next_status_come
   EXPECT_TRUE(unlock.request && unlock.request->has_unlock());
 }
 
+TEST(ConsoleModel, AUTH_006_the_message_of_a_halt_goes_when_the_halt_is_cleared_elsewhere) {
+  v1::InstructorRequest request;
+  request.mutable_halt();
+  v1::InstructorAnswer answer;
+  answer.add_items()->mutable_done()->set_ok(true);
+  ConsoleModel model = with_answer(connected(), request, answer);
+  v1::Status status = *model.status;
+  status.set_halted_by("lehrer");
+  model = with_status(std::move(model), status);
+  EXPECT_EQ(model.message.text, "MASCHINE HALT. c hebt ihn auf.");
+  status.set_halted_by("");
+  EXPECT_EQ(with_status(model, status).message.text, "");
+  model.watched.is_typing = true;
+  EXPECT_EQ(with_answer(model, request, answer).message.text, "MASCHINE HALT. Nach F8 hebt c ihn auf.");
+}
+
+TEST(ConsoleModel, AUTH_016_nobody_types_at_a_keyboard_that_was_given_back) {
+  ConsoleModel model = connected();
+  model.user = "lehrer";
+  model.watched = {.station = 7, .screen = {}, .is_typing = true};
+  v1::Status status = *model.status;
+  status.add_stations()->set_station(7);
+  status.mutable_stations(0)->set_taken_by("lehrer");
+  model = with_status(std::move(model), status);
+  EXPECT_TRUE(model.watched.is_typing);
+  status.mutable_stations(0)->clear_taken_by();
+  model = with_status(std::move(model), status);
+  EXPECT_FALSE(model.watched.is_typing);
+  EXPECT_EQ(model.message.text, "Die Tastatur ist zurückgegeben.");
+}
+
+TEST(ConsoleModel, INS_005_a_command_without_a_detail_says_that_it_is_done_and_an_empty_list_that_it_is_empty) {
+  v1::InstructorRequest request;
+  request.mutable_message()->set_text("Pause");
+  v1::InstructorAnswer answer;
+  answer.add_items()->mutable_done()->set_ok(true);
+  EXPECT_EQ(with_answer(connected(), request, answer).message.text, "Erledigt.");
+  request.mutable_runs()->set_name("anna");
+  EXPECT_EQ(with_answer(connected(), request, {}).message.text, "Keine Einträge.");
+}
+
 TEST(ConsoleModel, AUTH_005_an_accepted_select_tells_what_the_student_has_to_do) {
   v1::InstructorRequest request;
   request.mutable_select()->set_station(7);

@@ -6,13 +6,14 @@
 
 #include <algorithm>
 #include <optional>
-#include <set>
+#include <vector>
 
 namespace cnclab::lab {
 namespace {
 
 constexpr std::int64_t kMs = 1'000'000;
 constexpr LoginId kFirst{11}, kSecond{22};
+constexpr db::PersonId kLehrer{1}, kEva{2}, kUdo{3};
 
 template <class What>
 std::optional<What> find(const Actions& actions) {
@@ -175,50 +176,95 @@ TEST(Authority, AUTH_002_EveryWayOfLeavingEndsTheLease) {
 TEST(Authority, AUTH_006_HaltLatchesUntilWhoPressedOrTheInstructorReleases) {
   Scene scene;
   scene.grant_to(1, kFirst);
-  ASSERT_TRUE(find<Latch>(scene.apply(HaltPressed{kSecond, "udo", 2})));
+  ASSERT_TRUE(find<Latch>(scene.apply(HaltPressed{kUdo, "udo", 2})));
   EXPECT_TRUE(scene.authority.is_halted());
-  EXPECT_TRUE(find<Refuse>(scene.apply(HaltCleared{kFirst})));
+  EXPECT_TRUE(find<Refuse>(scene.apply(HaltReleased{kEva})));
   EXPECT_TRUE(scene.authority.is_halted());
-  const auto released = find<Latch>(scene.apply(HaltCleared{kSecond}));
+  const auto released = find<Latch>(scene.apply(HaltReleased{kUdo}));
   ASSERT_TRUE(released);
   EXPECT_FALSE(released->on);
-  scene.apply(HaltPressed{kSecond, "udo", 2});
-  EXPECT_TRUE(find<Latch>(scene.apply(HaltCleared{kNoLogin})));
+  scene.apply(HaltPressed{kUdo, "udo", 2});
+  EXPECT_TRUE(find<Latch>(scene.apply(HaltCleared{"lehrer"})));
   EXPECT_FALSE(scene.authority.is_halted());
   EXPECT_EQ(scene.authority.selected(), 1) << "a halt does not move the selector";
 }
 
-TEST(Authority, AUTH_006_AHaltStopsEveryTimeAndKeepsItsFirstCause) {
+TEST(Authority, AUTH_006_EachOfThosePressingHoldsTheHaltUntilTheOwnRelease) {
   Scene scene;
-  scene.apply(HaltPressed{kFirst, "eva", 1});
-  EXPECT_TRUE(find<Latch>(scene.apply(HaltPressed{kSecond, "udo", 2})));
-  EXPECT_EQ(scene.authority.halted_by(language::Tongue::german), "Platz 1, eva");
-  EXPECT_EQ(scene.authority.halted_by(language::Tongue::english), "station 1, eva");
-  const auto refused = find<Refuse>(scene.apply(HaltCleared{kSecond}));
+  scene.apply(HaltPressed{kEva, "eva", 1});
+  EXPECT_TRUE(find<Latch>(scene.apply(HaltPressed{kLehrer, "lehrer"}))) << "a halt stops every time";
+  scene.apply(HaltPressed{kLehrer, "lehrer"});
+  EXPECT_EQ(scene.authority.halted_by(language::Tongue::german), "Platz 1, eva; lehrer");
+  EXPECT_FALSE(find<Latch>(scene.apply(HaltReleased{kEva}))) << "the instructor's press holds";
+  EXPECT_EQ(scene.authority.halted_by(language::Tongue::english), "lehrer");
+  const auto released = find<Latch>(scene.apply(HaltReleased{kLehrer}));
+  ASSERT_TRUE(released);
+  EXPECT_FALSE(released->on);
+}
+
+TEST(Authority, AUTH_006_TheInstructorsClearTakesEverybodysPress) {
+  Scene scene;
+  for (const HaltPressed& press : {HaltPressed{kEva, "eva", 1}, HaltPressed{kUdo, "udo", 2}}) scene.apply(press);
+  const auto entry = find<Journal>(scene.apply(HaltCleared{"lehrer"}));
+  EXPECT_FALSE(scene.authority.is_halted());
+  ASSERT_TRUE(entry);
+  EXPECT_EQ(entry->detail, "station 1, eva; station 2, udo (lehrer)");
+}
+
+TEST(Authority, AUTH_006_WhoMayNotReleaseIsToldWhoMay) {
+  Scene scene;
+  scene.apply(HaltPressed{kEva, "eva", 1});
+  const auto refused = find<Refuse>(scene.apply(HaltReleased{kUdo}));
   ASSERT_TRUE(refused);
   EXPECT_TRUE(refused->german.contains("(Platz 1, eva)")) << refused->german;
   EXPECT_TRUE(refused->english.contains("by station 1, eva or")) << refused->english;
-  scene.apply(HaltCleared{kNoLogin});
-  scene.apply(HaltPressed{kNoLogin, "lehrer"});
-  EXPECT_EQ(scene.authority.halted_by(language::Tongue::english), "lehrer");
 }
 
-TEST(Authority, AUTH_015_GrantsRefusalsLossesStopsAndPowerAreJournalled) {
+TEST(Authority, AUTH_015_GrantsRefusalsLossesStopsAndPowerAreJournalledWithWhomAndByWhom) {
   Scene scene;
-  const auto kinds = [](const Actions& actions) {
-    std::set<std::string> found;
-    for (const Action& action : actions)
-      if (const auto* entry = std::get_if<Journal>(&action)) found.insert(entry->kind);
-    return found;
+  const auto line = [&](const Event& event) {
+    const auto entry = find<Journal>(scene.apply(event));
+    if (!entry) return std::string("nothing");
+    return entry->kind + "|" + entry->detail + "|" + std::to_string(static_cast<std::uint64_t>(entry->login));
   };
-  EXPECT_TRUE(kinds(scene.apply(Select{1})).contains("offer"));
-  EXPECT_TRUE(kinds(scene.apply(Accept{kFirst})).contains("grant"));
+  EXPECT_EQ(line(Select{1, false, "lehrer"}), "offer|lehrer|11");
+  EXPECT_EQ(line(Accept{kFirst}), "grant||11");
   scene.machine.moving = true;
-  EXPECT_TRUE(kinds(scene.apply(Select{2})).contains("refused"));
-  EXPECT_TRUE(kinds(scene.apply(HaltPressed{kSecond, "udo", 2})).contains("halt"));
-  EXPECT_TRUE(kinds(scene.apply(HaltCleared{kNoLogin})).contains("halt_cleared"));
-  EXPECT_TRUE(kinds(scene.apply(PowerSwitched{false})).contains("power_off"));
-  EXPECT_TRUE(kinds(scene.apply(LoggedOut{kFirst, "line lost"})).contains("lease_ended"));
+  EXPECT_EQ(line(Select{2, false, "lehrer"}), "refused|The axes are still moving. (lehrer)|22");
+  EXPECT_EQ(line(ReleaseIt{false, "lehrer"}), "refused|The axes are still moving. (lehrer)|11");
+  EXPECT_EQ(line(Select{3, false, "lehrer"}), "refused|nobody logged in (lehrer)|0");
+  EXPECT_EQ(line(HaltPressed{kUdo, "udo", 2}), "halt|station 2, udo|11");
+  EXPECT_EQ(line(HaltPressed{kEva, "eva", 1}), "halt|station 1, eva|11");
+  EXPECT_EQ(line(HaltReleased{kUdo}), "halt_cleared|station 2, udo; still halted by station 1, eva|11");
+  EXPECT_EQ(line(HaltCleared{"lehrer"}), "halt_cleared|station 1, eva (lehrer)|11");
+  EXPECT_EQ(line(PowerSwitched{false, "lehrer"}), "power_off|lehrer|11");
+  EXPECT_EQ(line(PowerSwitched{true, "lehrer"}), "power_on|lehrer|11");
+  EXPECT_EQ(line(LoggedOut{kFirst, "line lost"}), "lease_ended|line lost|11") << "also when that login ends with it";
+}
+
+// Every way in which a lease or an offer ends names the login that had it, and the instructor where one ordered it.
+TEST(Authority, AUTH_015_TheEndOfALeaseNamesWhoHadIt) {
+  struct Row {
+    Event event;
+    std::string detail;
+  };
+  const std::vector<Row> rows{
+      {LoggedOut{kFirst, "taken over"}, "taken over"},
+      {LoggedIn{1, LoginId{33}}, "another login"},
+      {ReleaseIt{true, "lehrer"}, "released (lehrer)"},
+      {Select{2, false, "lehrer"}, "selected (lehrer)"},
+      {Select{2, true, "lehrer"}, "selected by force (lehrer)"},
+      {Locked{kFirst, true}, "locked"},
+      {Deprived{kFirst, "RESET"}, "RESET"},
+  };
+  for (const Row& row : rows) {
+    Scene scene;
+    scene.grant_to(1, kFirst);
+    const auto entry = find<Journal>(scene.apply(row.event));
+    ASSERT_TRUE(entry) << row.detail;
+    EXPECT_EQ(entry->kind + "|" + entry->detail, "lease_ended|" + row.detail);
+    EXPECT_EQ(entry->login, kFirst) << row.detail;
+  }
 }
 
 TEST(Authority, AUTH_016_LockingEndsWhatTheLoginHasOfTheMachineAndBarsTheSelector) {
@@ -253,6 +299,28 @@ TEST(Authority, AUTH_016_TheLossOfTheTypingConsoleEndsTheLeaseOfThatStationAlone
   EXPECT_EQ(scene.authority.selected(), 1);
   EXPECT_TRUE(find<Revoke>(scene.apply(Deprived{kFirst, "console lost"})));
   EXPECT_EQ(scene.authority.selected(), 0);
+}
+
+TEST(Authority, AUTH_016_AConsoleThatFallsSilentIsNamedAndTheStationHasItsKeysBack) {
+  for (const bool is_console : {true, false}) {
+    Scene scene;
+    scene.grant_to(1, kFirst);
+    scene.now_ns += 500 * kMs;
+    scene.apply(Heard{kFirst, scene.now_ns - 400 * kMs, is_console});
+    scene.now_ns += 1000 * kMs;
+    const Actions actions = scene.apply(Polled{});
+    ASSERT_TRUE(find<Journal>(actions));
+    EXPECT_EQ(find<Journal>(actions)->detail, is_console ? "console silent" : "station silent");
+    EXPECT_EQ(find<GiveKeysBack>(actions).has_value(), is_console);
+  }
+}
+
+TEST(Authority, AUTH_016_AConsoleThatIsSilentFromTheFirstMomentOfALeaseIsNamedToo) {
+  Scene scene;
+  scene.grant_to(1, kFirst);
+  scene.apply(Heard{kFirst, scene.now_ns - 100 * kMs, true});  // no renewal: older than the grant
+  scene.now_ns += 1100 * kMs;
+  EXPECT_EQ(find<Journal>(scene.apply(Polled{}))->detail, "console silent");
 }
 
 }  // namespace

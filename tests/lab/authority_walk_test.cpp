@@ -56,14 +56,29 @@ std::vector<Mutation> mutants() {
   };
   with("halt_is_lost", "AUTH-006").event = swallows<HaltPressed>();
   with("anybody_releases_a_halt", "AUTH-006").event = [](Event& event, const Authority&) {
-    if (auto* clear = std::get_if<HaltCleared>(&event)) clear->login = kNoLogin;
+    if (std::holds_alternative<HaltReleased>(event)) event = HaltCleared{};
     return true;
+  };
+  with("only_who_pressed_first_holds_a_halt", "AUTH-006").event = [](Event& event, const Authority& authority) {
+    auto* press = std::get_if<HaltPressed>(&event);
+    if (press != nullptr && authority.is_halted()) *press = authority.halts().front();
+    return true;
+  };
+  with("a_press_is_never_released", "AUTH-006").event = swallows<HaltReleased>();
+  with("the_latch_stays_when_the_last_has_released", "AUTH-006").drops = [](const Action& action) {
+    const auto* latch = std::get_if<Latch>(&action);
+    return latch != nullptr && !latch->on;
   };
   with("power_switch_is_lost", "AUTH-010").event = swallows<PowerSwitched>();
   with("lease_survives_a_crash", "AUTH-012").crash = [](const Authority& before) { return before; };
   with("nothing_is_journalled", "AUTH-015").drops = drops<Journal>();
   with("lock_is_lost", "AUTH-016").event = swallows<Locked>();
   with("loss_of_the_console_is_not_noticed", "AUTH-016").event = swallows<Deprived>();
+  with("a_silent_console_keeps_the_keys", "AUTH-016").drops = drops<GiveKeysBack>();
+  with("a_silent_console_passes_for_the_station", "AUTH-016").event = [](Event& event, const Authority&) {
+    if (auto* sign = std::get_if<Heard>(&event)) sign->is_console_behind = false;
+    return true;
+  };
   return all;
 }
 

@@ -27,7 +27,7 @@ TEST(LoginGuard, SEC_003_ADelayEndsByTimeOrByTheRightPassword) {
   for (int i = 0; i < 6; ++i) guard.failed("eva", "127.0.0.1:1", 0);
   EXPECT_EQ(guard.wait_seconds("eva", "127.0.0.1:1", 0), 2);
   EXPECT_EQ(guard.wait_seconds("eva", "127.0.0.1:1", 2 * kSecond_ns), 0);
-  guard.succeeded("eva", "127.0.0.1:1");
+  guard.succeeded("eva");
   guard.failed("eva", "127.0.0.1:1", 3 * kSecond_ns);
   EXPECT_EQ(guard.wait_seconds("eva", "127.0.0.1:1", 3 * kSecond_ns), 0);
 }
@@ -39,6 +39,29 @@ TEST(LoginGuard, SEC_003_NamesDoNotDelayEachOtherAndMemoryIsBounded) {
   for (std::size_t i = 0; i < 3 * LoginGuard::kMostEntries; ++i)
     guard.failed("name" + std::to_string(i), "127.0.0.1:1", static_cast<std::int64_t>(i));
   EXPECT_GT(guard.wait_seconds("x", "127.0.0.1:7", 0), 0) << "an address that tries thousands of names is slowed down";
+}
+
+TEST(LoginGuard, SEC_003_ARightPasswordOfOneNameForgivesTheAddressNothing) {
+  LoginGuard guard;
+  const auto try_names = [&](int from, int to) {
+    for (int i = from; i < to; ++i) guard.failed("name" + std::to_string(i), "10.0.0.1:1", 0);
+  };
+  try_names(0, LoginGuard::kFreeTriesOfAddress - 1);
+  EXPECT_EQ(guard.wait_seconds("eva", "10.0.0.1:2", 0), 0);
+  guard.succeeded("eva");
+  try_names(100, 101);
+  EXPECT_EQ(guard.wait_seconds("eva", "10.0.0.1:2", 0), 1);
+}
+
+TEST(LoginGuard, SEC_003_AnAddressIsForgivenOneWrongPasswordAMinute) {
+  LoginGuard guard;
+  for (int i = 0; i < LoginGuard::kFreeTriesOfAddress; ++i) guard.failed("n" + std::to_string(i), "10.0.0.1:1", 0);
+  EXPECT_EQ(guard.wait_seconds("x", "10.0.0.1:1", 0), 1);
+  const std::int64_t later_ns = 2 * LoginGuard::kForgivenEach_s * kSecond_ns;
+  guard.failed("y", "10.0.0.1:1", later_ns);
+  EXPECT_EQ(guard.wait_seconds("x", "10.0.0.1:1", later_ns), 0) << "two forgiven, one more";
+  guard.failed("z", "10.0.0.1:1", later_ns);
+  EXPECT_EQ(guard.wait_seconds("x", "10.0.0.1:1", later_ns), 1);
 }
 
 TEST(Beats, AUTH_007_AgeIsKnownForSixSecondsAndNeverForWhatWasNotSent) {

@@ -80,6 +80,57 @@ TEST_F(Halt, AUTH_006_any_station_stops_the_machine_and_the_same_key_releases_it
   EXPECT_TRUE(comes_to("standstill"));
 }
 
+TEST_F(Halt, AUTH_006_each_of_those_who_have_pressed_holds_the_halt) {
+  otto_->key("MASCHINE_HALT");
+  room_.instructor().must({"halt"});
+  anna_->key("MASCHINE_HALT");
+  EXPECT_EQ(status()["halted_by"], "Platz 2, otto; lehrer; Platz 1, anna");
+  otto_->key("MASCHINE_HALT");
+  EXPECT_EQ(status()["halted_by"], "lehrer; Platz 1, anna");
+  anna_->key("MASCHINE_HALT");
+  EXPECT_EQ(status()["halted_by"], "lehrer");
+  EXPECT_EQ(status()["machine"]["state"], "halted");
+  room_.instructor().must({"clear-halt"});
+  EXPECT_TRUE(comes_to("standstill"));
+}
+
+TEST_F(Halt, AUTH_006_who_has_moved_to_another_seat_releases_the_own_press) {
+  otto_->key("MASCHINE_HALT");
+  otto_->quit();
+  otto_.emplace(room_.seat(3, "otto"));
+  otto_->key("MASCHINE_HALT");
+  EXPECT_EQ(status()["halted_by"], "");
+}
+
+TEST_F(Halt, AUTH_006_STOP_and_MASCHINE_HALT_act_whatever_is_held_with_them) {
+  for (const char* keys : {"STOP+5", "5+STOP"}) {
+    anna_->key(keys);
+    ASSERT_TRUE(comes_to("standstill")) << keys;
+    anna_->key("START");
+    ASSERT_TRUE(comes_to("moving")) << keys;
+  }
+  otto_->key("5+MASCHINE_HALT");
+  EXPECT_TRUE(comes_to("halted"));
+}
+
+// interfaces.md section 3: `ok` says that the next `screen` contains it.
+TEST_F(Halt, STOP_stands_in_the_next_screen) {
+  constexpr int kRounds = 10;
+  for (int round = 0; round < kRounds; ++round) {
+    anna_->key("STOP");
+    EXPECT_FALSE(anna_->shows("Programm läuft")) << "round " << round;
+    ASSERT_TRUE(comes_to("standstill"));
+    anna_->key("START");
+    ASSERT_TRUE(comes_to("moving"));
+  }
+}
+
+TEST_F(Halt, DEC_39_RESET_stops_while_the_menu_of_LABOR_is_open) {
+  anna_->key("LABOR RESET");
+  ASSERT_TRUE(comes_to("standstill"));
+  EXPECT_EQ(status()["selected"], 0);
+}
+
 TEST_F(Halt, AUTH_006_the_controlling_stations_STOP_always_stops) {
   anna_->key("STOP");
   EXPECT_TRUE(comes_to("standstill"));

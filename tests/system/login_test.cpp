@@ -171,6 +171,32 @@ TEST(Seats, SEAT_003_take_over_ends_the_first_station_with_6_and_continues_its_s
   EXPECT_EQ(first.wait(kEndLimit), 6);
 }
 
+TEST(Seats, SEAT_003_a_station_whose_line_was_broken_ends_with_6_when_its_student_has_sat_down_elsewhere) {
+  Classroom room;
+  room.add_student("anna");
+  TcpProxy line(room.server().port());
+  StationProcess first = room.seat_behind(line, 1, "anna");
+  line.cut();
+  ASSERT_TRUE(eventually(kEndLimit, [&] { return room.instructor().station(1)["connected"] == false; }));
+  StationProcess second = room.seat(2, "anna");
+  line.mend();
+  EXPECT_EQ(first.wait(kEndLimit), 6);
+  second.key("MENU");
+}
+
+TEST(Seats, SEC_004_looking_on_ends_with_the_login_that_is_looked_at) {
+  Classroom room;
+  room.add_student("anna");
+  room.add_student("otto");
+  StationProcess first = room.seat(1, "anna");
+  StationOptions options = room.station_options(2, "anna");
+  options.more = {"--look-on"};
+  StationProcess looker(options);
+  looker.wait_for("anna");
+  first.quit();
+  EXPECT_EQ(looker.wait(kEndLimit), 0);
+}
+
 TEST(Seats, SEAT_002_logging_out_and_in_at_another_station_finds_the_own_control_as_it_was) {
   Classroom room;
   room.add_student("anna", {"P0012\nN001G00X+1000\n"});

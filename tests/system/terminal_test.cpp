@@ -90,5 +90,25 @@ TEST_F(StationInTerminal, SEAT_005_a_lost_server_is_shown_and_the_station_comes_
   terminal.wait_gone("VERBINDUNG VERLOREN", 10s);
 }
 
+// A password that was typed in the form does for the way back as one from a file does.
+TEST_F(StationInTerminal, SEAT_005_after_a_crash_of_the_server_the_station_comes_back_without_a_new_log_in) {
+  StationOptions options = room_.station_options(1, "anna");
+  options.password_file.clear();
+  Terminal terminal({.program = programs_folder() / "cnclab-station",
+                     .arguments = station_arguments(options),
+                     .environment = {},
+                     .rows = kScreenRows,
+                     .columns = kScreenColumns});
+  terminal.wait_for("Passwort");
+  terminal.type(room_.passwords().password_of("anna") + "\r");
+  terminal.wait_for("CNC 3300");
+  room_.crash_and_restart();
+  ASSERT_TRUE(eventually(15s, [&] {
+    terminal.update();
+    return room_.instructor().status()["stations"].size() == 1;
+  })) << terminal.text();
+  terminal.wait_for("CNC 3300");
+}
+
 }  // namespace
 }  // namespace cnclab::harness

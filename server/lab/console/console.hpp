@@ -33,6 +33,7 @@ class Console {
     std::shared_ptr<Visit> visit;
     std::uint64_t number = 0;
     language::Tongue tongue{};
+    [[nodiscard]] const std::string& who() const { return visit->person.name; }
   };
   using Items = std::vector<v1::InstructorItem>;
 

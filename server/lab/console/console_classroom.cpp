@@ -12,7 +12,7 @@ constexpr std::size_t kLongestMessage = Screen::kColumns;  ///< behind any name 
 }  // namespace
 
 std::shared_ptr<Desk> Console::desk_at(const Reply& reply, std::uint32_t station) const {
-  auto desk = lab_.seats_.at(static_cast<int>(station));
+  auto desk = lab_.seats_.working_at(static_cast<int>(station));
   if (!desk) send_error(reply, say(reply.tongue, "Dort ist niemand angemeldet.", "Nobody is logged in there."));
   return desk;
 }
@@ -26,7 +26,7 @@ void Console::select(const Reply& reply, const v1::SelectStation& request) const
   // A keyboard whose console is gone would leave nobody to press START.
   const auto desk = lab_.seats_.at(static_cast<int>(request.station()));
   if (desk && !desk->taken_by.empty() && desk->taker.expired()) lab_.give_back(desk);
-  decided(reply, Select{static_cast<int>(request.station()), request.force()});
+  decided(reply, Select{static_cast<int>(request.station()), request.force(), reply.who()});
 }
 
 void Console::message(const Reply& reply, const v1::SendMessage& request) const {
@@ -39,14 +39,12 @@ void Console::message(const Reply& reply, const v1::SendMessage& request) const 
         reply, fmt::format(fmt::runtime(say(reply.tongue, "Eine Nachricht hat höchstens {} Zeichen, diese hat {}.",
                                             "A message has at most {} characters, this one has {}.")),
                            kLongestMessage, columns));
-  bool anybody = false;
-  for (const auto& desk : lab_.seats_.all()) {
-    if (request.station() != 0 && desk->station != static_cast<int>(request.station())) continue;
-    lab_.deliver(*desk, reply.visit->person.name + ": " + text);
-    anybody = true;
-  }
-  if (!anybody)
+  std::vector<Lab::DeskPtr> readers = lab_.seats_.list();
+  if (request.station() != 0) readers = {lab_.seats_.working_at(static_cast<int>(request.station()))};
+  std::erase(readers, nullptr);
+  if (readers.empty())
     return send_error(reply, say(reply.tongue, "Dort ist niemand angemeldet.", "Nobody is logged in there."));
+  for (const auto& desk : readers) lab_.deliver(*desk, reply.who() + ": " + text);
   lab_.journal_.write("message", text, static_cast<int>(request.station()), reply.visit->person.name);
   send_done(reply);
 }
@@ -59,6 +57,9 @@ void Console::show(const Reply& reply, const v1::ShowStation& request) const {
   }
   const auto desk = desk_at(reply, request.station());
   if (!desk) return;
+  if (!desk->is_seated())
+    return send_error(reply, say(reply.tongue, "Die Verbindung dieses Platzes ist unterbrochen.",
+                                 "The line of that station is broken."));
   lab_.show_to_all(desk->station);
   done_at(reply, desk, "show");
 }
@@ -103,12 +104,7 @@ void Console::lock(const Reply& reply, const v1::StationOnly& request, bool on) 
 void Console::expel(const Reply& reply, const v1::StationOnly& request) const {
   const auto desk = desk_at(reply, request.station());
   if (!desk) return;
-  const auto visit = desk->visit.lock();
-  lab_.vacate(visit, "expelled");
-  lab_.dismiss(desk);
-  lab_.farewell(visit, 9,
-                say(lab_.tongue_of(desk->person), "Die Lehrkraft hat die Verbindung beendet.",
-                    "The instructor has ended the connection."));
+  lab_.expel(desk);
   done_at(reply, desk, "expelled");
 }
 

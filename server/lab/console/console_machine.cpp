@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "lab/console/console_ask.hpp"
 #include "lab/stored_control.hpp"
@@ -44,7 +45,7 @@ void fill_machine(v1::MachineStatus& out, const machine::Snapshot& snapshot, con
   out.set_y(snapshot.istwert_mm[1]);
   out.set_z(snapshot.istwert_mm[2]);
   out.set_u(snapshot.istwert_mm[3]);
-  out.set_feed(snapshot.speed_mm_per_min);
+  out.set_feed(std::round(snapshot.speed_mm_per_min * 1000) / 1000);
   const double rpm = std::max(1, snapshot.spindle_rpm);  // a spindle without S turns all the same
   out.set_spindle(snapshot.spindle == geometry::SpindleTurn::off         ? 0
                   : snapshot.spindle == geometry::SpindleTurn::clockwise ? rpm
@@ -169,6 +170,9 @@ void Console::machine_data(const Reply& reply, const v1::ChangeMachineData& requ
   for (const auto& datum : request.data())
     if (const auto set = wished.set(static_cast<int>(datum.number()), datum.value()); !set)
       return send_error(reply, datum_fault(static_cast<int>(datum.number()), datum.value(), set.error(), reply.tongue));
+  std::string changes;
+  for (const auto& datum : request.data())
+    changes += fmt::format("{}{:02}={}", changes.empty() ? "" : " ", datum.number(), datum.value());
   // DEC-25: a stop from F MAX must not take longer than 2 s.
   const auto limits = machine::motion_limits(wished);
   if (limits.f_max_mm_per_s / limits.stop_deceleration_mm_per_s2 > 2.0)
@@ -183,8 +187,9 @@ void Console::machine_data(const Reply& reply, const v1::ChangeMachineData& requ
           database.put_machine_datum(db::kLabMachine, stored_datum(form.number, wished.get(form.number)), author);
         return true;
       },
-      [reply, wished](const Console& console, bool) {
+      [reply, wished, changes](const Console& console, bool) {
         console.lab_.machine_.wish_data(wished);
+        console.lab_.journal_.write("machine_data", changes, 0, reply.who());
         console.lab_.settle_machine_data();
         console.send_done(reply);
       });

@@ -60,6 +60,16 @@ v1::InstructorItem version_item(int version, const db::Author& author, const std
   return item;
 }
 
+/// How many people have the programs, and what of the file none of them has (DEC-06).
+std::string sent_text(std::size_t people, const language::Tape& tape, language::Tongue tongue) {
+  std::string text = std::to_string(people);
+  for (const std::string& notice : tape.notices) text += "; " + notice;
+  if (!tape.machine_data.empty())
+    text += "; " + say(tongue, "die Maschinendaten (MD) der Datei werden nicht übernommen",
+                       "the machine data (MD) of the file are not taken");
+  return text;
+}
+
 /// The people a program is sent to.
 std::vector<db::Person> receivers(db::Database& database, const v1::ProgramSend& request) {
   std::vector<db::Person> people;
@@ -193,9 +203,9 @@ void Console::program_send(const Reply& reply, const v1::ProgramSend& request) c
         }
         return ids;
       },
-      [reply](const Console& console, const std::vector<db::PersonId>& ids) {
+      [reply, tape](const Console& console, const std::vector<db::PersonId>& ids) {
         for (const auto id : ids) console.lab_.reload_programs(id);
-        console.send_done(reply, fmt::format("{}", ids.size()));
+        console.send_done(reply, sent_text(ids.size(), *tape, reply.tongue));
       });
 }
 

@@ -171,7 +171,12 @@ void Console::journal(const Reply& reply, const v1::JournalQuery& request) const
   lab_.journal_.flush();
   ask_store(
       reply,
-      [name = request.student(), since = *since](db::Database& database) { return database.journal(name, since); },
+      [name = request.student(), since = *since](db::Database& database) {
+        auto entries = database.journal(name, since);
+        // A name of the past has its entries; one that never was has none, and is a slip of the pen.
+        if (entries.empty() && !name.empty() && !database.person(name)) static_cast<void>(person_named(database, name));
+        return entries;
+      },
       [reply](const Console& console, const std::vector<db::JournalEntry>& entries) {
         Items items;
         for (const auto& entry : entries) {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <expected>
 #include <set>
@@ -65,6 +66,19 @@ std::expected<std::vector<std::string>, bool> fields_of(std::string_view line) {
   return fields;
 }
 
+/// The columns' names, in any case, in German too, and as many as the file has: never an account `name` with the
+/// password `password`.
+bool is_heading(const std::vector<std::string>& fields) {
+  static const std::array<std::array<std::string_view, 2>, kMostFields> kColumns{
+      {{"name", "name"}, {"password", "passwort"}, {"language", "sprache"}}};
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    std::string word = fields[i];
+    std::ranges::transform(word, word.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    if (i >= kColumns.size() || std::ranges::find(kColumns[i], word) == kColumns[i].end()) return false;
+  }
+  return true;
+}
+
 struct Judge {
   language::Tongue tongue;
   std::set<std::string> names;
@@ -102,7 +116,8 @@ bool is_name(std::string_view name) {
   const auto allowed = [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '.' || c == '-' || c == '_' || c >= 0x80;
   };
-  return !name.empty() && name.size() <= kLongestName && std::ranges::all_of(name, allowed);
+  const bool is_folder = name == "." || name == "..";  // programs are collected in files of that name
+  return !name.empty() && !is_folder && name.size() <= kLongestName && std::ranges::all_of(name, allowed);
 }
 
 std::string line_prefix(int line, language::Tongue tongue) {
@@ -117,8 +132,9 @@ Roster read_roster(std::string_view csv, language::Tongue tongue) {
     const auto end = std::min(csv.find('\n'), csv.size());
     const std::string_view line = trimmed(csv.substr(0, end));
     csv.remove_prefix(std::min(end + 1, csv.size()));
-    if (line.empty() || (number == 1 && line == kHeading)) continue;
+    if (line.empty()) continue;
     const auto fields = fields_of(line);
+    if (number == 1 && fields && is_heading(*fields)) continue;
     if (!fields || fields->size() > kMostFields) {
       roster.errors[number] =
           line_prefix(number, tongue) + judge.say("name,password,language erwartet", "name,password,language expected");

@@ -32,7 +32,7 @@ std::vector<std::string> message_lines(const std::deque<std::string>& messages) 
 
 bool Lab::takes_for_menu(const Desk& desk, Key key) const {
   const bool is_asked = desk.login != kNoLogin && authority_.asked() == desk.login;
-  return key == Key::LABOR || (desk.labor && !(key == Key::START && is_asked));
+  return key == Key::LABOR || (desk.labor && key != Key::RESET && !(key == Key::START && is_asked));
 }
 
 LaborFacilities Lab::labor_facilities(const Desk& desk) const {

@@ -89,7 +89,7 @@ std::expected<SerialLines::LinePtr, std::string> SerialLines::bind(const std::sh
     guard_.failed(name, address, now_ns);
     return refused("wrong token");
   }
-  guard_.succeeded(name, address);
+  guard_.succeeded(name);
   if (!configuration_.dnc_device.empty() && configuration_.dnc_station == binding.station)
     return refused("this station has the serial device");
   if (std::ranges::any_of(lines_, [&](const auto& other) { return other->station == binding.station; }))
