@@ -33,10 +33,12 @@ void Lab::draw_due(std::int64_t now_ns) {
     if (std::exchange(desk->was_busy, is_busy) && !is_busy) desk->is_dirty = true;  // the end shows at once
     const bool moving = is_busy && now_ns - desk->last_drawn_ns >= kRefresh_ns;
     if (desk->notice_until_ns != 0 && now_ns >= desk->notice_until_ns) note(*desk, "");
-    // The end of a run shows at once, and with it the state number that the next START is valid for (AUTH-008).
+    // The end of a run shows at once, and so does every change while nothing moves: with it comes the state number that
+    // the next START is valid for (AUTH-008).
     const bool was_started = desk->situation.started;
+    const std::uint64_t former_state = desk->state;
     note_situation(*desk);
-    if (was_started != desk->situation.started) desk->is_dirty = true;
+    if (was_started != desk->situation.started || (!is_busy && desk->state != former_state)) desk->is_dirty = true;
     // Lamps and counters follow the machine also where no key has changed them: the instructor's power-off, a switch.
     if (!is_busy && std::exchange(desk->indicated, desk->control.indication()) != desk->indicated)
       desk->is_dirty = true;
