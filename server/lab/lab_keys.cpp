@@ -81,6 +81,8 @@ void Lab::take_input(const VisitPtr& visit, Input input) {
 bool Lab::take_urgent(const VisitPtr& visit, const DeskPtr& desk, const Input& input) {
   const bool stops = contains(input, Key::STOP), halts = contains(input, Key::MASCHINE_HALT);
   if (!input.pressed || (!stops && !halts)) return false;
+  // What was to start and waits still was pressed before: it must not undo the stop (AUTH-006).
+  std::erase_if(desk->waiting, [](const Input& queued) { return queued.pressed && is_start_command(queued); });
   if (halts && !input.is_repeat) halt_key_pressed(visit, desk);
   if (stops) stop_pressed(desk, input.number);
   return true;

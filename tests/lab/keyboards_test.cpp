@@ -71,6 +71,26 @@ TEST_F(KeyboardsOfALab, AUTH_006_STOP_stops_whatever_is_held_with_it) {
   }
 }
 
+// A START that waits behind another key was pressed before the STOP that overtakes it.
+TEST_F(KeyboardsOfALab, AUTH_006_no_START_that_was_pressed_before_STOP_acts_after_it) {
+  ASSERT_NO_FATAL_FAILURE(run_on_machine(eva));
+  strike(eva, Key::STOP);
+  ASSERT_TRUE(comes_true([&] { return has_seen_rest(); })) << eva.screen.text(18);
+  for (const Key key : {Key::START, Key::START, Key::STOP}) {
+    v1::ClientMessage message;
+    auto& event = *message.mutable_key();
+    event.set_number(++eva.number);
+    event.add_keys(static_cast<v1::Key>(key));
+    event.set_pressed(true);
+    event.mutable_seen()->set_beat(eva.beat);
+    event.mutable_seen()->set_state(eva.state);
+    lab().receive(eva.visit, message);
+  }
+  ASSERT_TRUE(comes_true([&] { return eva.handled == eva.number; }));
+  pass_ms(200);
+  EXPECT_FALSE(is_running());
+}
+
 TEST_F(KeyboardsOfALab, AUTH_006_MASCHINE_HALT_halts_whatever_is_held_with_it) {
   ASSERT_NO_FATAL_FAILURE(run_on_machine(eva));
   Caller udo = call();

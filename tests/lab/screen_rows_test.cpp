@@ -124,8 +124,10 @@ TEST_F(ScreenRows, AUTH_006_HaltIsNamedWithSeatAndNameInTheReadersLanguage) {
   EXPECT_EQ(side(eva_, 17), "udo");
   EXPECT_EQ(side(udo_, 16), "HALT Seat 12");
   key(eva_, Key::MASCHINE_HALT);
-  EXPECT_EQ(side(eva_, 16), "HALT Platz 12") << "the latch keeps its first cause";
+  EXPECT_EQ(side(eva_, 16), "HALT Platz 12") << "the first of those who hold it";
   key(udo_, Key::MASCHINE_HALT);
+  EXPECT_EQ(side(eva_, 16), "HALT Platz 07") << "her own press holds still";
+  key(eva_, Key::MASCHINE_HALT);
   EXPECT_EQ(side(eva_, 16), "");
   EXPECT_EQ(side(eva_, 17), "");
   order([](auto& request) { request.mutable_halt(); });

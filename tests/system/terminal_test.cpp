@@ -101,13 +101,13 @@ TEST_F(StationInTerminal, SEAT_005_after_a_crash_of_the_server_the_station_comes
                      .columns = kScreenColumns});
   terminal.wait_for("Passwort");
   terminal.type(room_.passwords().password_of("anna") + "\r");
-  terminal.wait_for("CNC 3300");
+  terminal.wait_for("TRAINING");
   room_.crash_and_restart();
   ASSERT_TRUE(eventually(15s, [&] {
     terminal.update();
     return room_.instructor().status()["stations"].size() == 1;
   })) << terminal.text();
-  terminal.wait_for("CNC 3300");
+  terminal.wait_for("TRAINING");
 }
 
 }  // namespace
