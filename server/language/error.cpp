@@ -47,8 +47,8 @@ constexpr Row kRows[] = {
      {"Satz fehlt", "Satz {0} gibt es nicht{1}. Andere Satznummer wählen."},
      {"Block missing", "Block {0} does not exist{1}. Choose another block number."}},
     {ErrorCode::memory_full,
-     {"Speicher voll", "Speicher voll{1}: {0} nicht gespeichert. Programme löschen."},
-     {"Memory full", "Memory full{1}: {0} not stored. Delete programs."}},
+     {"Speicher voll", "Speicher voll{1}: {0} ist nicht gespeichert. Programme löschen."},
+     {"Memory full", "Memory full{1}: {0} is not stored. Delete programs."}},
     {ErrorCode::nesting_too_deep,
      {"Zu tief verschachtelt", "{0}: mehr als 16 Aufrufe ineinander{1}. Aufrufe verringern."},
      {"Nested too deeply", "{0}: more than 16 calls inside each other{1}. Use fewer."}},
@@ -163,6 +163,12 @@ constexpr Row kRows[] = {
     {ErrorCode::lower_case,
      {"Uebertragung falsch", "Kleinbuchstabe {0} würde die Steuerung überlesen{1}. Groß schreiben."},
      {"Transfer wrong", "The control would skip the small letter {0}{1}. Use capitals."}},
+    {ErrorCode::helix_too_steep,
+     {kArcWrong, "{0} Schritte sind zu viele neben denen des Bogens{1}. Z verkleinern."},
+     {kArcWrongEnglish, "{0} steps are too many beside those of the arc{1}. Use a smaller Z."}},
+    {ErrorCode::plane_locked,
+     {"Falsche Ebene", "{0}: unter Werkzeugkorrektur bleibt die Ebene{1}. Erst G40 und G45."},
+     {"Wrong plane", "{0}: the plane stays while a tool is compensated{1}. First G40 and G45."}},
 };
 
 /// Rows are found by their code.

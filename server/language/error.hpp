@@ -57,10 +57,12 @@ enum class ErrorCode : std::uint8_t {
   text_malformed,           ///< a character or number that is no word (tape, files)
   machine_datum_wrong,      ///< a recording's machine data: not N03=500000 (DEC-62)
   lower_case,               ///< a file with small letters outside comments (DEC-30)
+  helix_too_steep,          ///< G07, G08: Z has as many steps as X and Y together, or more (D-65)
+  plane_locked,             ///< G17 to G19 under G41 to G44, G46 (D-69)
 };
 
 /// The last of the codes, so that a table can be checked for completeness.
-inline constexpr ErrorCode kLastErrorCode = ErrorCode::lower_case;
+inline constexpr ErrorCode kLastErrorCode = ErrorCode::plane_locked;
 
 /// One error with its place. `word` is the address letter, 0 where no word is to blame.
 struct Error {

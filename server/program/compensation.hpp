@@ -22,9 +22,10 @@ void begin_compensated(ExecutionState& state, const std::array<double, 3>& compe
 /// Keeps account of the axes whose path may lie beside the programmed position after the way to `target`.
 void follow_compensation(ExecutionState& state, const Target& target);
 
-/// Takes radius or length of the tool in force (D-74); 0 where there is none (COMP-003).
-void take_radius(ModalState& modal, const ProgramSet& programs);
-void take_length(ModalState& modal, const ProgramSet& programs);
+/// Takes radius or length of the tool in force (D-74) for the block at `source`; 0 where there is none (COMP-003).
+/// errors  checksum_wrong: the tool's row is damaged; nothing changed
+[[nodiscard]] Outcome take_radius(ModalState& modal, const ProgramSet& programs, geometry::SourceBlock source);
+[[nodiscard]] Outcome take_length(ModalState& modal, const ProgramSet& programs, geometry::SourceBlock source);
 
 /// Tells the stages what a run finds in force at its start.
 /// errors: word_out_of_range for a negative radius

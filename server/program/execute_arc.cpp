@@ -189,7 +189,7 @@ Outcome check_pitch(const BlockRun& run, const geometry::Arc& arc) {
   if (along == 0) return {};
   const std::int64_t around = pulses_in_plane(arc, run.settings.steps_per_mm);
   if (along < around) return {};
-  return error_at(ErrorCode::arc_wrong, run.source, 'Z', std::to_string(along), "< " + std::to_string(around));
+  return error_at(ErrorCode::helix_too_steep, run.source, 'Z', std::to_string(along), "< " + std::to_string(around));
 }
 
 Outcome execute_helix(BlockRun& run, Turn turn) {

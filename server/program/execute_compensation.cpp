@@ -54,8 +54,8 @@ Outcome check_radius(const BlockRun& run) {
 
 Outcome begin_radius(BlockRun& run, RadiusCompensation radius) {
   if (Outcome unscaled = check_unscaled(run); !unscaled) return unscaled;
+  if (Outcome taken = take_radius(run.state.modal, run.programs, run.source); !taken) return taken;
   run.state.modal.radius = radius;
-  take_radius(run.state.modal, run.programs);
   if (Outcome size = check_radius(run); !size) return size;
   order_radius(run);
   return {};
@@ -143,12 +143,16 @@ void follow_compensation(ExecutionState& state, const Target& target) {
   if (modal.tool_length.value != 0) state.shifted_axes |= without(named, plane);
 }
 
-void take_radius(ModalState& modal, const ProgramSet& programs) {
+Outcome take_radius(ModalState& modal, const ProgramSet& programs, geometry::SourceBlock source) {
+  if (Outcome row = check_tool_row(programs, modal.tool, source); !row) return row;
   modal.tool_radius = programs.tool(modal.tool).value_or(ToolData{}).radius;
+  return {};
 }
 
-void take_length(ModalState& modal, const ProgramSet& programs) {
+Outcome take_length(ModalState& modal, const ProgramSet& programs, geometry::SourceBlock source) {
+  if (Outcome row = check_tool_row(programs, modal.tool, source); !row) return row;
   modal.tool_length = programs.tool(modal.tool).value_or(ToolData{}).length;
+  return {};
 }
 
 Outcome announce_compensation(BlockRun& run) {
@@ -184,8 +188,8 @@ Outcome cancel_length_compensation(BlockRun& run) {
 
 Outcome compensate_length(BlockRun& run) {
   if (Outcome unscaled = check_unscaled(run); !unscaled) return unscaled;
+  if (Outcome taken = take_length(run.state.modal, run.programs, run.source); !taken) return taken;
   run.state.modal.length_compensation = true;
-  take_length(run.state.modal, run.programs);
   order_length(run);
   return {};
 }

@@ -72,7 +72,9 @@ Outcome check_pocket(const BlockRun& run, std::int64_t diameter_um) {
   return {};
 }
 
+/// The ROM programs read #67 and #68, whatever of them this cycle needs: a damaged row stops before the first block.
 Outcome check_cutter(const BlockRun& run) {
+  if (Outcome row = check_tool_row(run.programs, run.state.modal.tool, run.source); !row) return row;
   const ToolData tool = run.programs.tool(run.state.modal.tool).value_or(ToolData{});
   const std::int64_t diameter_um = 2 * tool.radius.value;
   if (diameter_um < 0)

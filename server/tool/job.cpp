@@ -134,7 +134,12 @@ void choose_start(const Options& options, Job& job) {
   if (program != nullptr && !program->blocks.empty()) job.start.block = program->blocks.front().number;
   if (!options.block) return;
   job.start.block = *options.block;
-  if (program != nullptr) job.start.modal = program::rebuild_modal(job.programs, *program, *options.block, {});
+  if (program == nullptr) return;
+  const auto modal = program::rebuild_modal(job.programs, *program, *options.block, {});
+  if (modal)
+    job.start.modal = *modal;
+  else
+    job.tape_errors.push_back(modal.error());
 }
 
 }  // namespace

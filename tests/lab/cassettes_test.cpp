@@ -156,7 +156,7 @@ TEST_F(Cassettes, SEC_006_WhatIsNoCassetteIsNotPutIn) {
   settle();
   EXPECT_THAT(picture(), HasSubstr("Die Kassette ist beschädigt"));
   strike_all({Key::EXTERNE_DATEN, Key::D2});
-  EXPECT_THAT(picture(), HasSubstr("nicht angeschlossen"));
+  EXPECT_THAT(picture(), HasSubstr("Keine Kassette eingelegt"));
 }
 
 TEST_F(Cassettes, DEC_33_AtMostTenWithNamesThatCanBeChanged) {

@@ -201,7 +201,7 @@ TEST_P(HelixPitch, ZPulsesMustBeFewerThanThoseOfXAndY_D65) {
       EXPECT_FALSE(run.error) << function;
       continue;
     }
-    EXPECT_EQ(run.code(), ErrorCode::arc_wrong) << function;
+    EXPECT_EQ(run.code(), ErrorCode::helix_too_steep) << function;
     EXPECT_EQ(run.error->word, 'Z');
   }
 }
@@ -224,7 +224,7 @@ TEST(HelixPitchSteps, CountInTheirOwnAxes_D65) {
   constexpr auto kHalfTurn = "P0001N001G11F0500N002G07X+10000Y+0I+5000J+0Z+9995%";
   EXPECT_FALSE(run_text(kHalfTurn, 9, {}, settings).error);
   settings.steps_per_mm = {200, 200, 402, 200};
-  EXPECT_EQ(run_text(kHalfTurn, 9, {}, settings).code(), ErrorCode::arc_wrong);
+  EXPECT_EQ(run_text(kHalfTurn, 9, {}, settings).code(), ErrorCode::helix_too_steep);
 }
 
 struct ErrorRow {

@@ -201,7 +201,7 @@ TEST(CompensationStart, TellsTheStagesWhatIsInForce_D75) {
 TEST(CompensationStart, InTheMiddleIsThatOfTheBlocksBefore_DEC26) {
   const ProgramSet programs =
       programs_of(std::string(kTools) + "P0001N001G11T01N002G42N003G11T02N004G46N005G17N006G40N007G45N008G43N009G17%");
-  const auto modal = [&](std::uint16_t block) { return rebuild_modal(programs, *programs.find(1), block, {}); };
+  const auto modal = [&](std::uint16_t block) { return rebuild_modal(programs, *programs.find(1), block, {}).value(); };
   EXPECT_EQ(modal(5).radius, RadiusCompensation::right);
   EXPECT_EQ(modal(5).tool_radius.value, 5000);
   EXPECT_TRUE(modal(5).length_compensation);
@@ -231,12 +231,12 @@ TEST_P(CompensationErrors, NameTheBlock) {
 INSTANTIATE_TEST_SUITE_P(
     , CompensationErrors,
     testing::Values(
-        ErrorRow{"D69_plane_under_G41", "P0001N001G41N002G18%", ErrorCode::plane_wrong, 2},
-        ErrorRow{"D69_plane_under_G42", "P0001N001G42N002G19%", ErrorCode::plane_wrong, 2},
-        ErrorRow{"D69_plane_under_G43", "P0001N001G43N002G19%", ErrorCode::plane_wrong, 2},
-        ErrorRow{"D69_plane_under_G44", "P0001N001G44N002G19%", ErrorCode::plane_wrong, 2},
-        ErrorRow{"D69_plane_under_G46", "P0001N001G46N002G18%", ErrorCode::plane_wrong, 2},
-        ErrorRow{"D69_back_to_G17", "P0001N001G18N002G46N003G17%", ErrorCode::plane_wrong, 3},
+        ErrorRow{"D69_plane_under_G41", "P0001N001G41N002G18%", ErrorCode::plane_locked, 2},
+        ErrorRow{"D69_plane_under_G42", "P0001N001G42N002G19%", ErrorCode::plane_locked, 2},
+        ErrorRow{"D69_plane_under_G43", "P0001N001G43N002G19%", ErrorCode::plane_locked, 2},
+        ErrorRow{"D69_plane_under_G44", "P0001N001G44N002G19%", ErrorCode::plane_locked, 2},
+        ErrorRow{"D69_plane_under_G46", "P0001N001G46N002G18%", ErrorCode::plane_locked, 2},
+        ErrorRow{"D69_back_to_G17", "P0001N001G18N002G46N003G17%", ErrorCode::plane_locked, 3},
         ErrorRow{"D64_G68_under_G41", "P0001N001G41N002G68X+0%", ErrorCode::compensation_impossible, 2},
         ErrorRow{"D64_G68_under_G42", "P0001N001G42N002G68X+0%", ErrorCode::compensation_impossible, 2},
         ErrorRow{"D64_G68_under_G43", "P0001N001G43N002G68X+0%", ErrorCode::compensation_impossible, 2},

@@ -149,7 +149,7 @@ TEST_P(CycleEnd, LeavesG91AndAfterDrillingG45_CYC007_D82) {
   EXPECT_EQ(after.length_compensation, !GetParam().cancels_length);
   EXPECT_EQ(run.blocks.back().programmed_um, (std::array<std::int64_t, 3>{0, 0, 2000}));
   const ProgramSet programs = programs_of(std::string("P0001N001") + GetParam().block + "N002G17%");
-  const ModalState rebuilt = rebuild_modal(programs, *programs.find(1), 2, start.modal);
+  const ModalState rebuilt = rebuild_modal(programs, *programs.find(1), 2, start.modal).value();
   EXPECT_EQ(rebuilt.dimension, after.dimension);
   EXPECT_EQ(rebuilt.length_compensation, after.length_compensation);
 }

@@ -276,7 +276,7 @@ TEST(RebuildModal, TakesGroupsAndWordsBeforeTheStartBlock_DEC26) {
       "N008G11M24N009G91N010G11F0100M20%");
   ModalState before;
   before.coolant = true;
-  const ModalState modal = rebuild_modal(programs, *programs.find(1), 9, before);
+  const ModalState modal = rebuild_modal(programs, *programs.find(1), 9, before).value();
   EXPECT_EQ(modal.feed_mm_per_min, 800);
   EXPECT_EQ(modal.spindle_rpm, 900);
   EXPECT_EQ(modal.tool, 3);
@@ -286,16 +286,16 @@ TEST(RebuildModal, TakesGroupsAndWordsBeforeTheStartBlock_DEC26) {
   EXPECT_TRUE(modal.test_run);
   EXPECT_EQ(modal.spindle, geometry::SpindleTurn::off) << "nothing is switched";
   EXPECT_TRUE(modal.coolant);
-  EXPECT_EQ(rebuild_modal(programs, *programs.find(1), 1, before), before);
-  EXPECT_FALSE(rebuild_modal(programs, *programs.find(1), 999, before).test_run);
+  EXPECT_EQ(rebuild_modal(programs, *programs.find(1), 1, before).value(), before);
+  EXPECT_FALSE(rebuild_modal(programs, *programs.find(1), 999, before).value().test_run);
 }
 
 TEST(RebuildModal, TakesTheScale_DEC26) {
   const ProgramSet programs = programs_of("P0001N001G75X-1000N002G22P0002N001W00N003G74N004G17%\nP0002N001G17%");
-  const ModalState scaled = rebuild_modal(programs, *programs.find(1), 2, {});
+  const ModalState scaled = rebuild_modal(programs, *programs.find(1), 2, {}).value();
   EXPECT_TRUE(scaled.scale_on);
   EXPECT_EQ(scaled.scale, (std::array<std::int64_t, 3>{-1000, 1000, 1000}));
-  EXPECT_EQ(rebuild_modal(programs, *programs.find(1), 4, {}), ModalState{});
+  EXPECT_EQ(rebuild_modal(programs, *programs.find(1), 4, {}).value(), ModalState{});
 }
 
 }  // namespace
