@@ -4,7 +4,10 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "bench.hpp"
 #include "panel/run/offset_record.hpp"
@@ -44,7 +47,8 @@ enum class End : std::uint8_t {
   limit_switch,
   machine_halt,
   power_off,
-  restart_of_server
+  restart_of_server,
+  contour_refused
 };
 
 struct EndRow {
@@ -56,7 +60,7 @@ constexpr EndRow kEnds[] = {
     {"end of the program", End::program_end}, {"STOP and MENU", End::stop_and_menu},
     {"a block that is wrong", End::error},    {"limit switch", End::limit_switch},
     {"MASCHINE HALT", End::machine_halt},     {"drives without current", End::power_off},
-    {"server anew", End::restart_of_server},
+    {"server anew", End::restart_of_server},  {"a contour that START refuses", End::contour_refused},
 };
 
 enum class Next : std::uint8_t { automat, hand_input, teach_in };
@@ -69,8 +73,8 @@ struct NextRow {
 constexpr NextRow kNexts[] = {
     {"AUTOMAT", Next::automat}, {"HANDEINGABE", Next::hand_input}, {"TEACH IN", Next::teach_in}};
 
-/// Off its switch an axis can be driven only back.
-double way_after(End end) { return end == End::limit_switch ? -1 : 1; }
+/// Off its switch an axis can be driven only back, and under G44 that way is 10 mm shorter.
+double way_after(End end) { return end == End::limit_switch ? -20 : 1; }
 
 /// Beside a way back lies the other side, and G43 and G44 move against it.
 Shift shift_after(const Compensation& compensation, End end) {
@@ -80,15 +84,17 @@ Shift shift_after(const Compensation& compensation, End end) {
   return shift;
 }
 
-/// P0001 ends as the row says, P0002 goes on by 1 mm, P0003 leaves the offset with another one.
+/// P0001 ends as the row says, P0002 goes on, P0003 leaves the offset with another one,
+/// and into the arc of P0004 no tool fits.
 std::string tape_of(const Compensation& compensation, End end) {
   const std::string axis = compensation.axis == 0 ? "X" : "Z";
   const std::string long_way = end == End::limit_switch ? "G01" + axis + "+400000" : std::string(compensation.long_way);
   const std::string last = end == End::error ? "N006G01" + axis + "+1000F9999" : "";
-  const std::string way = way_after(end) < 0 ? "-1000" : "+1000";
+  const std::string way = way_after(end) < 0 ? "-20000" : "+1000";
   return "P0000T001R+5000L+4000P0001N001G91N002G11F3000T01N003" + std::string(compensation.orders) + "N004" +
          std::string(compensation.entry) + "N005" + long_way + last + "P0002N001G91N002G01" + axis + way +
-         "P0003N001G91N002G40N003G45N004G01X" + way + "Y+0Z" + way + "%";
+         "P0003N001G91N002G40N003G45N004G01X" + way + "Y+0Z" + way +
+         "P0004N001G91N002G41N003G01X+10000N004G01X+20000N005G03X+0Y+6000I+0J+3000N006G01X-20000%";
 }
 
 void start_program(Bench& bench, int number) {
@@ -97,12 +103,32 @@ void start_program(Bench& bench, int number) {
   bench.keys("ENTER ENTER START");
 }
 
-void end_run(Bench& bench, const Compensation& compensation, End how) {
+/// Who looks at contours for START.
+struct Checker {
+  bool takes_its_time = false;
+  std::vector<std::function<void()>> waiting{};
+
+  void take(const std::function<void()>& job) {
+    if (takes_its_time) return waiting.push_back(job);
+    job();
+  }
+};
+
+void end_run(Bench& bench, Checker& checker, const Compensation& compensation, End how) {
   const auto is_under_way = [&] { return bench.istwert(compensation.axis) > 40; };
   switch (how) {
     case End::program_end:
     case End::error:
     case End::limit_switch:
+      break;
+    case End::contour_refused:  // by the check that START has given away, so that the run ends without having begun
+      ASSERT_TRUE(bench.run_to_rest()) << bench.picture();
+      checker.takes_its_time = true;
+      start_program(bench, 4);
+      bench.run_for(100);
+      ASSERT_TRUE(bench.control.is_running()) << bench.picture();
+      for (const std::function<void()>& job : checker.waiting) job();
+      checker.takes_its_time = false;
       break;
     case End::stop_and_menu:
     case End::restart_of_server:
@@ -139,7 +165,7 @@ void jog_back(Bench& bench, int axis) {
   ASSERT_TRUE(bench.run_to_rest()) << bench.picture();
 }
 
-/// Another millimetre.
+/// One more way.
 void go_on(Bench& bench, const Compensation& compensation, End end, Next mode) {
   switch (mode) {
     case Next::automat:
@@ -148,7 +174,7 @@ void go_on(Bench& bench, const Compensation& compensation, End end, Next mode) {
     case Next::hand_input:
     case Next::teach_in:  // what it has taught is not run; the next line is keyed in
       bench.keys(compensation.axis == 0 ? "MENU HANDEINGABE ENTER" : "MENU HANDEINGABE ENTER ENTER ENTER");
-      bench.type(way_after(end) < 0 ? "-1" : "1");
+      bench.type(way_after(end) < 0 ? "-20" : "1");
       bench.keys("START");
       break;
   }
@@ -156,10 +182,12 @@ void go_on(Bench& bench, const Compensation& compensation, End end, Next mode) {
 }
 
 void check(const Compensation& compensation, End end, Next next) {
-  const Bench::Setup setup{.tape = tape_of(compensation, end)};
+  Checker checker;
+  Bench::Setup setup{.tape = tape_of(compensation, end)};
+  setup.settings.long_work = [&checker](const std::function<void()>& job) { checker.take(job); };
   Bench first(setup), anew(setup);
   start_program(first, 1);
-  end_run(first, compensation, end);
+  end_run(first, checker, compensation, end);
   Bench& bench = end == End::restart_of_server ? anew : first;
   if (end == End::restart_of_server) anew.control.restore_state(first.control.save_state());
   bench.run_for(20);
@@ -191,7 +219,9 @@ TEST(OffsetLeft, IsNeitherEnteredTwiceNorLostWhateverEndsTheRun_MOD026_COMP016) 
 }
 
 geometry::PathItem way(std::uint64_t sequence, const geometry::PathElement& element, const Shift& shift_mm) {
-  geometry::PathItem item{.sequence = sequence, .shift_mm = shift_mm};
+  geometry::PathItem item;
+  item.sequence = sequence;
+  item.shift_mm = shift_mm;
   std::visit([&item](const auto& what) { item.what = what; }, element);
   return item;
 }
