@@ -28,12 +28,6 @@ namespace {
 /// A longer line is none of rule 7, mm: the tolerance of arcs (D-55).
 constexpr double kClosingLine_mm = 0.020;
 
-std::unexpected<StageFault> fault_at(StageFault::Kind kind, const PathItem& item, double found_mm = 0,
-                                     double needed_mm = 0) {
-  return std::unexpected(StageFault{
-      .kind = kind, .block = item.source, .other = item.source, .found_mm = found_mm, .needed_mm = needed_mm});
-}
-
 bool is_on(const RadiusOffset& order) {
   return (order.side == OffsetSide::left || order.side == OffsetSide::right) && order.radius_mm > 0;
 }

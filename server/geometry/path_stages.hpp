@@ -40,6 +40,13 @@ struct StageFault {
   friend bool operator==(const StageFault&, const StageFault&) = default;
 };
 
+/// A fault of the item's own block.
+[[nodiscard]] inline std::unexpected<StageFault> fault_at(StageFault::Kind kind, const PathItem& item,
+                                                          double found_mm = 0, double needed_mm = 0) {
+  return std::unexpected(StageFault{
+      .kind = kind, .block = item.source, .other = item.source, .found_mm = found_mm, .needed_mm = needed_mm});
+}
+
 class ContourCheck;
 
 /// All stages, in their order. A value that can be copied: a copy goes on from the same state.

@@ -13,10 +13,6 @@ using std::numbers::pi;
 using std::numbers::sqrt2;
 using Kind = StageFault::Kind;
 
-constexpr std::array kPlanes{Plane::xy, Plane::xz, Plane::yz};
-
-std::string name_of(Plane plane) { return plane == Plane::xy ? "XY" : plane == Plane::xz ? "XZ" : "YZ"; }
-
 /// QUADRAT MIT RADIUS KORREKTUR, block numbers as printed.
 Part square(Plane plane, double radius_mm) {
   Part part(plane);

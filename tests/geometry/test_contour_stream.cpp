@@ -10,10 +10,6 @@ namespace {
 using namespace rig;
 using std::numbers::pi;
 
-constexpr std::array kPlanes{Plane::xy, Plane::xz, Plane::yz};
-
-std::string name_of(Plane plane) { return plane == Plane::xy ? "XY" : plane == Plane::xz ? "XZ" : "YZ"; }
-
 TEST(ContourStream, WhatDoesNotMoveInThePlaneHappensAtTheCorner_D71_COMP002) {
   for (const Plane plane : kPlanes) {
     Part part(plane);

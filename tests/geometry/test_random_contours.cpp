@@ -7,6 +7,7 @@
 #include <map>
 #include <random>
 
+#include "seeded.hpp"
 #include "slow_contour.hpp"
 #include "stage_rig.hpp"
 
@@ -14,9 +15,6 @@ namespace {
 
 using namespace rig;
 using std::numbers::pi;
-
-/// The same cases in every run; RC_PARAMS in the environment asks for others.
-const bool kSeeded = setenv("RC_PARAMS", "seed=3300 max_success=300", 0) == 0;
 
 constexpr double kMicrometre = 0.001;
 

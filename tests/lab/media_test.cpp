@@ -13,8 +13,6 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr std::uint32_t kSeat = 7;
-
 class LabMedia : public testing::Test, protected SmallLab {
  protected:
   LabMedia() {
