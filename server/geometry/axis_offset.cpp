@@ -53,7 +53,7 @@ std::expected<void, StageFault> AxisOffset::rewrite(PathItem& item) {
   } else if (auto* arc = std::get_if<Arc>(&item.what)) {
     if (refuses(*arc))
       return std::unexpected(
-          StageFault{.kind = StageFault::Kind::arc_at_entry_or_exit, .block = item.source, .other = item.source});
+          StageFault{.kind = StageFault::Kind::arc_under_axis_offset, .block = item.source, .other = item.source});
     add(arc->from, shift_mm_);
     add(arc->to, shift_mm_);
     add(arc->center, shift_mm_);

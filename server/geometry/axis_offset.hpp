@@ -16,7 +16,7 @@ class AxisOffset {
  public:
   explicit AxisOffset(const std::array<double, 3>& shift_mm) : shift_mm_(shift_mm) {}
 
-  /// errors   arc_at_entry_or_exit: an arc while an axis of its plane is, or has to be, shifted by a radius
+  /// errors   arc_under_axis_offset: an arc while an axis of its plane is, or has to be, shifted by a radius
   [[nodiscard]] std::expected<void, StageFault> rewrite(PathItem& item);
 
   [[nodiscard]] const std::array<double, 3>& shift_mm() const { return shift_mm_; }

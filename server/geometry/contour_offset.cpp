@@ -53,6 +53,8 @@ Point sum(const Point& point, const Point& shift) {
   return {point.x + shift.x, point.y + shift.y, point.z + shift.z, point.u};
 }
 
+std::array<double, 3> numbers_of(const Point& point) { return {point.x, point.y, point.z}; }
+
 const Point& from_of(const PathItem& item) {
   if (const auto* line = std::get_if<Line>(&item.what)) return line->from;
   return std::get<Arc>(item.what).from;
@@ -257,6 +259,7 @@ void ContourOffset::leave_contour(const PathItem& item, std::vector<PathItem>& o
 void ContourOffset::leave(const PathItem& item, std::vector<PathItem>& out) {
   out.push_back(item);
   if (!is_shifted_) return;
+  out.back().shift_mm = numbers_of(shift_);
   if (auto* line = std::get_if<Line>(&out.back().what)) {
     line->from = sum(line->from, shift_);
     line->to = sum(line->to, shift_);
@@ -273,6 +276,7 @@ void ContourOffset::emit_entry(PlaneVector end, std::vector<PathItem>& out, Cont
   at_ = end;
   shift_ = {};
   set_shift(at_, to_of(held_));
+  out.back().shift_mm = numbers_of(shift_);
   emit_behind(out);
 }
 
@@ -299,6 +303,7 @@ void ContourOffset::emit_element(const Joint& joint, std::vector<PathItem>& out,
     if (check != nullptr) check->add_path(held_.source, element_of(way));
   }
   set_shift(at_, to_of(held_));
+  way.shift_mm = numbers_of(shift_);
   emit_behind(out);
 }
 
@@ -316,6 +321,8 @@ void ContourOffset::emit_corner(std::vector<PathItem>& out, ContourCheck* check)
   set_in_plane(arc.to, axes, element_.start);
   corner.what = arc;
   at_ = element_.start;
+  set_shift(at_, programmed);
+  corner.shift_mm = numbers_of(shift_);
   out.push_back(corner);
   if (check != nullptr) check->add_corner(held_.source, arc);
 }

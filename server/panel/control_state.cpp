@@ -68,9 +68,9 @@ void ControlState::initialise() {
 }
 
 void ControlState::take_over(const RunEnd& end) {
-  modal = end.modal;
-  parameters = end.parameters;
-  compensation_mm = end.compensation_mm;
+  modal = end.legacy.modal;
+  parameters = end.legacy.parameters;
+  compensation_mm = end.legacy.compensation_mm;
 }
 
 bool ControlState::awaits_potentiometer() const {

@@ -140,17 +140,19 @@ ActiveMode active_mode_of(Mode mode, const Json& json, const KeptIstwert& istwer
 }  // namespace
 
 std::string write_state(const ActiveMode& mode, const ControlState& state) {
-  const program::ModalState modal = state.run.is_present() ? state.run.modal() : state.modal;
+  const Legacy legacy =
+      state.run.is_present() ? state.run.legacy() : Legacy{state.modal, state.parameters, state.compensation_mm};
+  const std::array<double, 3>& offset_mm = legacy.compensation_mm;
   const machine::Snapshot machine = state.machine();
   Json json{{"v", 1},
             {"mode", name_of(mode_of(mode))},
             {"override", state.override_percent},
-            {"modal", modal_json(modal)},
-            {"parameters", parameters_json(state.parameters)},
+            {"modal", modal_json(legacy.modal)},
+            {"parameters", parameters_json(legacy.parameters)},
             {"istwert", {machine.istwert_mm[0], machine.istwert_mm[1], machine.istwert_mm[2]}},
             {"editor_program", state.editor_program},
             {"automat_program", state.automat_program},
-            {"compensation", {state.compensation_mm[0], state.compensation_mm[1], state.compensation_mm[2]}},
+            {"compensation", {offset_mm[0], offset_mm[1], offset_mm[2]}},
             {"clock_offset", state.clock.offset_s()},
             {"taught", taught_json(state.taught, state)}};
   if (const auto clock = state.clock.standing(state.now))

@@ -77,6 +77,8 @@ Outcome check_cutter(const BlockRun& run) {
   if (Outcome row = check_tool_row(run.programs, run.state.modal.tool, run.source); !row) return row;
   const ToolData tool = run.programs.tool(run.state.modal.tool).value_or(ToolData{});
   const std::int64_t diameter_um = 2 * tool.radius.value;
+  if (diameter_um < 0)
+    return error_at(ErrorCode::word_out_of_range, run.source, 'T', "R " + um_in_mm(tool.radius.value), "R >= 0");
   if (run.block.function.code == kSlot) return check_slot(run, diameter_um);
   if (run.block.function.code == kPocket) return check_pocket(run, diameter_um);
   return {};

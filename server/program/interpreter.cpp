@@ -31,7 +31,8 @@ Outcome check_executable(const ProgramSet& programs, const Settings& settings, c
 /// F, S, T and the M functions of the block's start; the function itself; the M functions of its end (M-900, FST-009).
 Outcome execute_words(BlockRun& run) {
   constexpr std::uint64_t kFirst = 1;
-  if (run.sequence == kFirst) announce_compensation(run);
+  if (run.sequence == kFirst)
+    if (Outcome announced = announce_compensation(run); !announced) return announced;
   if (Outcome called = execute_feed_speed_tool(run); !called) return called;
   execute_m(run, Moment::block_start);
   if (Outcome outcome = handler_of(run.block.function)(run); !outcome) return outcome;
@@ -196,6 +197,8 @@ bool Interpreter::pass_over_fault() {
   if (const auto target = target_of(run); target && is_way(block.function)) arrive(run, *target);
   execute_m(run, Moment::block_end);
   if (has_no_feed) state_.modal.feed_mm_per_min = 1;
+  // An F above F MAX was told of here, not at each way behind it.
+  state_.modal.feed_mm_per_min = std::min(state_.modal.feed_mm_per_min, static_cast<int>(settings_.f_max_mm_per_min));
   ++sequence_;
   ended_ = go_on(run.flow);
   return !ended_;

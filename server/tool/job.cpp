@@ -58,6 +58,13 @@ bool read_programs(const Options& options, Job& job) {
     job.lines[number] = std::move(read.lines);
     job.programs.put(std::move(read.program));
   }
+  for (language::ReadProgram& read : tape.faulty_programs) {
+    const std::uint16_t number = read.program.number;
+    job.partly_read.insert(number);
+    if (job.programs.find(number) != nullptr) continue;  // the file has another one of that number, which counts
+    job.lines[number] = std::move(read.lines);
+    job.programs.put(std::move(read.program));
+  }
   return true;
 }
 

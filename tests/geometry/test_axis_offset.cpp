@@ -73,7 +73,7 @@ TEST(AxisOffset, AnArcWhoseShapeWouldChangeIsRefused_D72) {
   for (const auto& [part, block] : {std::pair{under, 3}, std::pair{behind, 4}}) {
     const Outcome outcome = run(part);
     ASSERT_TRUE(outcome.fault);
-    EXPECT_EQ(outcome.fault->kind, Kind::arc_at_entry_or_exit);
+    EXPECT_EQ(outcome.fault->kind, Kind::arc_under_axis_offset);
     EXPECT_EQ(outcome.fault->block.block, block);
     EXPECT_EQ(ways_of(outcome.items, Plane::xy).size(), 1U);
   }

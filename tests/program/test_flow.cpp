@@ -114,11 +114,11 @@ INSTANTIATE_TEST_SUITE_P(
                      1, 1},
         FlowErrorRow{"D58_after_G20_the_caller_is_still_active",
                      "P0001N001G22P0002N001W00\nP0002N001G20P0003N001\nP0003N001G22P0002N001W00%",
-                     ErrorCode::calls_itself, 3, 1},
-        FlowErrorRow{"D58_call_of_itself", "P0001N001G22P0001N001W00%", ErrorCode::calls_itself, 1, 1},
+                     ErrorCode::nesting_too_deep, 3, 1},
+        FlowErrorRow{"D58_call_of_itself", "P0001N001G22P0001N001W00%", ErrorCode::nesting_too_deep, 1, 1},
         FlowErrorRow{"D58_two_that_call_each_other",
                      "P0001N001G22P0002N001W00\nP0002N001G22P0003N001W00\nP0003N001G17N002G22P0002N001W00%",
-                     ErrorCode::calls_itself, 3, 2},
+                     ErrorCode::nesting_too_deep, 3, 2},
         FlowErrorRow{"G22_of_the_tool_table", "P0000T001R+1L+1\nP0001N001G22P0000N001W00%", ErrorCode::program_missing,
                      1, 1}),
     [](const auto& row) { return std::string(row.param.name); });
@@ -142,6 +142,20 @@ TEST(FlowDepth, SixteenLevelsAreAllowedSeventeenAreNot_D58) {
   const RunResult refused = run_text(staircase(17));
   EXPECT_EQ(refused.code(), ErrorCode::nesting_too_deep);
   EXPECT_EQ(refused.error->program, 17);
+}
+
+/// A program that counts #01 down and calls itself until it is 0.
+std::string countdown(int calls) {
+  return "P0001N001\\00#01+" + std::to_string(calls * 1000) +
+         "N002G22P0002N001W00N003G18\nP0002N001\\12#01#01N002\\50N004N003G22P0002N001W00N004G17%";
+}
+
+TEST(FlowDepth, AProgramMayCallItselfAsDeepAsAnyOther_D58_SYS006) {
+  EXPECT_EQ(run_text(countdown(3)).order(), "P1N1 P1N2 P2N1 P2N2 P2N3 P2N1 P2N2 P2N3 P2N1 P2N2 P2N4 P2N4 P2N4 P1N3");
+  EXPECT_FALSE(run_text(countdown(16)).error);
+  const RunResult refused = run_text(countdown(17));
+  ASSERT_EQ(refused.code(), ErrorCode::nesting_too_deep);
+  EXPECT_EQ(language::place_of(*refused.error), "P0002 N003");
 }
 
 TEST(FlowLoop, AJumpToItselfReturnsFromEveryStep_DEC63) {
