@@ -2,7 +2,7 @@
 //
 //        wall (an element of the contour)        way (of the tool's centre)
 //      ═════════════════════════════          ─────────────────────────────▶
-//                 ▲ found                 found >= R - 1 µm, or the way is reported
+//                 ▲ found                 found >= R - 1.5 µm, or the way is reported
 //      ───────────▼─────────────────▶
 //
 // Entry and exit are ways like others, except that what stands below them is not cut:
@@ -25,8 +25,6 @@ namespace cnclab::geometry {
 
 namespace {
 
-/// Rounding, and the steps in which spirals are taken, stay below this; so does any machine's smallest step.
-constexpr double kTolerance_mm = 0.001;
 /// So many elements at either end may be run-in or run-out: a line and an arc.
 constexpr std::size_t kLongestRunIn = 2;
 /// Share of the radius that entry and exit keep from the corner where the contour begins and ends. An approach along
@@ -51,6 +49,14 @@ auto trace_of(const PlanePiece& piece, const SourceBlock& source) {
                   source.block);
 }
 
+/// By how much the radii at both ends of an arc differ.
+double radius_error_of(const PathElement& element) {
+  const auto* arc = std::get_if<Arc>(&element);
+  if (arc == nullptr) return 0;
+  const ArcShape shape = shape_of(*arc);
+  return std::abs(shape.end_radius - shape.start_radius);
+}
+
 }  // namespace
 
 void ContourCheck::begin(Plane plane, double radius_mm, SourceBlock source, const Line& entry) {
@@ -60,6 +66,7 @@ void ContourCheck::begin(Plane plane, double radius_mm, SourceBlock source, cons
   awaits_exit_ = false;
   is_open_ = true;
   elements_ = 0;
+  tolerance_mm_ = kRounded_mm;
   joints_.clear();
   contour_.clear();
   ways_.clear();
@@ -76,6 +83,7 @@ void ContourCheck::append(SourceBlock source, const PathElement& element, std::u
 void ContourCheck::add_contour(SourceBlock source, const PathElement& element) {
   ++elements_;
   append(source, element, elements_, contour_);
+  tolerance_mm_ = std::max(tolerance_mm_, kRounded_mm + radius_error_of(element));
   const PlaneAxes& axes = axes_of(plane_);
   const auto ends = [&](const auto& way) {
     if (joints_.empty()) joints_.push_back(in_plane(way.from, axes));
@@ -98,7 +106,7 @@ void ContourCheck::end() {
   drop_repeated(ways_);
   plant_tree();
   look_round(entry_);
-  const double reach = radius_mm_ - kTolerance_mm;
+  const double reach = radius_mm_ - tolerance_mm_;
   for (const Placed& way : ways_) {
     const PieceBox box = box_of(way.piece);
     tree_.visit_near(box, reach, [&](std::size_t first, std::size_t last) {
@@ -179,13 +187,13 @@ void ContourCheck::compare(const Placed& way, const Placed& wall) {
   // Beside its own element a way keeps the tool's radius by construction; a corner need not (an arc that returns).
   if (way.element == wall.element) return;
   const double found = distance_between(way.piece, wall.piece);
-  if (found < radius_mm_ - kTolerance_mm) note(StageFault::Kind::too_close, way.source, wall.source, found);
+  if (found < radius_mm_ - tolerance_mm_) note(StageFault::Kind::too_close, way.source, wall.source, found);
 }
 
 /// Every wall that entry or exit comes near while it is no higher.
 void ContourCheck::look_round(const Passage& passage) {
   const PlaneAxes& axes = axes_of(plane_);
-  const double reach = radius_mm_ - kTolerance_mm;
+  const double reach = radius_mm_ - tolerance_mm_;
   pieces_.clear();
   append_pieces(passage.line, axes, pieces_);
   PieceBox box = box_of(pieces_.front());
@@ -200,10 +208,10 @@ void ContourCheck::look_round(const Passage& passage) {
 void ContourCheck::look_at(const Passage& passage, const Placed& wall) {
   const PlanePiece way = part_below(passage.line, axes_of(plane_), wall.piece.highest);
   const double found = distance_between(way, wall.piece);
-  double needed = radius_mm_ - kTolerance_mm;
+  double needed = radius_mm_ - tolerance_mm_;
   const PlanePiece corner{.from = passage.corner, .to = passage.corner};
   const bool is_at_corner =
-      distance_between(corner, wall.piece) < radius_mm_ && distance_between(way, corner) < found + kTolerance_mm;
+      distance_between(corner, wall.piece) < radius_mm_ && distance_between(way, corner) < found + tolerance_mm_;
   const bool is_own = wall.element == passage.element && !is_closed_;
   if (is_at_corner) needed = is_own ? 0 : radius_mm_ * kLeastAtCorner;
   if (found < needed) note(passage.kind, passage.source, wall.source, found);

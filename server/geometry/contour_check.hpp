@@ -15,7 +15,8 @@ namespace cnclab::geometry {
 /// `ContourOffset`); what only the whole chain shows is a way that returns beside an earlier wall, or a pocket that is
 /// too narrow between elements that are not neighbours.
 ///
-/// A finding is a way that comes closer to a contour element than the tool's radius less a micrometre. No finding are:
+/// A finding is a way that comes closer to a contour element than the tool's radius less `kRounded_mm`, and less
+/// what the two radii of an arc of the chain are apart (D-55): the contour is known no better. No finding are:
 ///   - elements whose ranges along the normal do not overlap (passes at another depth); entry and exit as far as they
 ///     lie above the element: what stands below is not cut (the normal points along the tool);
 ///   - run-in and run-out: if one of the first three elements begins where one of the last three ends, the contour is
@@ -85,6 +86,7 @@ class ContourCheck {
   bool awaits_exit_ = false;  ///< a chain has ended, its walls are in the tree
   Passage entry_;
   std::uint32_t elements_ = 0;       ///< of the contour so far
+  double tolerance_mm_ = 0;          ///< what is no finding, see above
   std::vector<PlaneVector> joints_;  ///< where each element begins, and where the newest ends
   std::vector<Placed> contour_, ways_;
   std::vector<PlanePiece> pieces_;  ///< of the newest element

@@ -25,7 +25,7 @@ struct StageFault {
     arc_under_axis_offset,   ///< an arc while G43/G44 shift, or have shifted, an axis of its plane (D-72)
     inside_arc_too_small,    ///< the tool does not fit into an arc
     no_intersection,         ///< the offset elements at an inside corner do not meet
-    runs_backwards,          ///< between its two corners an element would be run against its direction
+    runs_backwards,          ///< between its two corners, or shortened by G44, an element would be run backwards
     too_close,               ///< another element of the chain lies within the tool's radius (see `ContourCheck`)
     entry_too_close,         ///< the same on the way that enters the chain (COMP-007)
     exit_too_close,          ///< the same on the way that leaves it
@@ -40,6 +40,13 @@ struct StageFault {
   double found_mm = 0, needed_mm = 0;
   friend bool operator==(const StageFault&, const StageFault&) = default;
 };
+
+/// A fault of the item's own block.
+[[nodiscard]] inline std::unexpected<StageFault> fault_at(StageFault::Kind kind, const PathItem& item,
+                                                          double found_mm = 0, double needed_mm = 0) {
+  return std::unexpected(StageFault{
+      .kind = kind, .block = item.source, .other = item.source, .found_mm = found_mm, .needed_mm = needed_mm});
+}
 
 class ContourCheck;
 

@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "geometry/path_math.hpp"
+#include "geometry/tolerances.hpp"
 #include "program/ways.hpp"
 #include "program/words.hpp"
 
@@ -21,8 +22,6 @@ using language::Address;
 using language::ErrorCode;
 
 constexpr std::array kCenterWords{Address::I, Address::J, Address::K};
-/// Smallest radius error that is accepted, mm (D-55).
-constexpr double kArcTolerance_mm = 0.020;
 
 /// An odd number of mirrored axes in the plane turns the sense round (G-751, EX-108).
 Turn mirrored(Turn turn, const ModalState& modal) {
@@ -78,8 +77,8 @@ void set_center(const BlockRun& run, geometry::Arc& arc) {
 Outcome check_radii(const BlockRun& run, const geometry::Arc& arc) {
   const auto [first, second] = indices_of(arc.plane).in_plane;
   const geometry::ArcShape shape = geometry::shape_of(arc);
-  const double tolerance =
-      std::max(kArcTolerance_mm, 2 / std::min(run.settings.steps_per_mm[first], run.settings.steps_per_mm[second]));
+  const double tolerance = std::max(geometry::kArcTolerance_mm,
+                                    2 / std::min(run.settings.steps_per_mm[first], run.settings.steps_per_mm[second]));
   constexpr double kNoise_mm = 1e-9;  // of the square roots
   const bool has_radius = shape.start_radius > kNoise_mm && shape.end_radius > kNoise_mm;
   if (has_radius && std::abs(shape.end_radius - shape.start_radius) <= tolerance + kNoise_mm) return {};

@@ -76,7 +76,7 @@ AxisSet moved_axes(const ExecutionState& state, const Target& target) {
   return moved;
 }
 
-AxisSet axes_of(geometry::Plane plane) {
+AxisSet axes_that_span(geometry::Plane plane) {
   const auto [first, second] = indices_of(plane).in_plane;
   return static_cast<AxisSet>(axis_bit(first) | axis_bit(second));
 }
@@ -115,7 +115,7 @@ void begin_compensated(ExecutionState& state, const std::array<double, 3>& compe
   AxisSet shifted = 0;
   for (std::size_t axis = 0; axis < compensation_mm.size(); ++axis)
     if (std::abs(compensation_mm[axis]) >= kSmallest_mm) shifted |= axis_bit(axis);
-  const AxisSet plane = axes_of(state.modal.plane);
+  const AxisSet plane = axes_that_span(state.modal.plane);
   const bool together = !moves_each_axis(state.modal.radius) && (shifted & plane) != 0;
   state.contour_axes = together ? plane : AxisSet{0};
   state.shifted_axes = together ? without(shifted, plane) : shifted;
@@ -126,7 +126,7 @@ void begin_compensated(ExecutionState& state, const std::array<double, 3>& compe
 void follow_compensation(ExecutionState& state, const Target& target) {
   if (!is_path_compensated(state)) return;
   const ModalState& modal = state.modal;
-  const AxisSet plane = axes_of(modal.plane), named = target.named_axes;
+  const AxisSet plane = axes_that_span(modal.plane), named = target.named_axes;
   const auto moved_in_plane = static_cast<AxisSet>(moved_axes(state, target) & plane);
   const bool has_radius = modal.tool_radius.value != 0;
   if (follows_contour(modal.radius)) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "geometry/plane_vector.hpp"
+#include "seeded.hpp"
 #include "stage_rig.hpp"
 
 namespace {
@@ -125,9 +126,6 @@ TEST(Entries, OfAContourCheckedInPartsAreLookedAtInEach_COMP007) {
 }
 
 // ---- any polygon, any start -------------------------------------------------------------------------------------
-
-/// The same cases in every run; RC_PARAMS in the environment asks for others.
-const bool kSeeded = setenv("RC_PARAMS", "seed=3300 max_success=300", 0) == 0;
 
 /// Corners by their angle about the middle, counterclockwise: convex or not, but never crossing itself.
 struct Case {

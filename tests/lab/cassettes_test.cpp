@@ -11,8 +11,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr std::uint32_t kSeat = 7;
-
 class Cassettes : public testing::Test, protected SmallLab {
  protected:
   Cassettes() {

@@ -213,14 +213,14 @@ TEST(CompensationStart, InTheMiddleIsThatOfTheBlocksBefore_DEC26) {
   EXPECT_EQ(modal(9).tool_radius.value, 2500);
 }
 
-struct ErrorRow {
+struct OffsetErrorRow {
   const char* name;
   const char* text;
   ErrorCode code;
   int block;
 };
 
-class CompensationErrors : public testing::TestWithParam<ErrorRow> {};
+class CompensationErrors : public testing::TestWithParam<OffsetErrorRow> {};
 
 TEST_P(CompensationErrors, NameTheBlock) {
   const RunResult run = run_with_tools(GetParam().text);
@@ -231,39 +231,40 @@ TEST_P(CompensationErrors, NameTheBlock) {
 INSTANTIATE_TEST_SUITE_P(
     , CompensationErrors,
     testing::Values(
-        ErrorRow{"D69_plane_under_G41", "P0001N001G41N002G18%", ErrorCode::plane_locked, 2},
-        ErrorRow{"D69_plane_under_G42", "P0001N001G42N002G19%", ErrorCode::plane_locked, 2},
-        ErrorRow{"D69_plane_under_G43", "P0001N001G43N002G19%", ErrorCode::plane_locked, 2},
-        ErrorRow{"D69_plane_under_G44", "P0001N001G44N002G19%", ErrorCode::plane_locked, 2},
-        ErrorRow{"D69_plane_under_G46", "P0001N001G46N002G18%", ErrorCode::plane_locked, 2},
-        ErrorRow{"D69_back_to_G17", "P0001N001G18N002G46N003G17%", ErrorCode::plane_locked, 3},
-        ErrorRow{"D64_G68_under_G41", "P0001N001G41N002G68X+0%", ErrorCode::compensation_impossible, 2},
-        ErrorRow{"D64_G68_under_G42", "P0001N001G42N002G68X+0%", ErrorCode::compensation_impossible, 2},
-        ErrorRow{"D64_G68_under_G43", "P0001N001G43N002G68X+0%", ErrorCode::compensation_impossible, 2},
-        ErrorRow{"D64_G68_under_G44", "P0001N001G44N002G68X+0%", ErrorCode::compensation_impossible, 2},
-        ErrorRow{"D64_G68_under_G46", "P0001N001G46N002G68X+0%", ErrorCode::compensation_impossible, 2},
-        ErrorRow{"D64_G69_under_G41", "P0001N001G41N002G69X+0%", ErrorCode::compensation_impossible, 2},
-        ErrorRow{"D64_G69_under_G46", "P0001N001G46N002G69Z-1000%", ErrorCode::compensation_impossible, 2},
-        ErrorRow{"D64_G68_before_the_contour_is_left", "P0001N001G11T01F0100N002G41N003G01X+1000N004G40N005G68X+0%",
-                 ErrorCode::offset_not_left, 5},
-        ErrorRow{"D64_G68_before_an_axis_is_left",
-                 "P0001N001G11T01F0100N002G43N003G01X+1000Y+1000N004G40N005G01X+1000N006G68X+0%",
-                 ErrorCode::offset_not_left, 6},
-        ErrorRow{"D64_G69_before_the_length_is_left", "P0001N001G11T01F0100N002G46N003G01Z-1000N004G45N005G69X-1000%",
-                 ErrorCode::offset_not_left, 5},
-        ErrorRow{"D64_G68_before_the_plane_that_was_left",
-                 "P0001N001G11T01F0100N002G41N003G01X+1000N004G40N005G18N006G01Z+1N007G68X+0%",
-                 ErrorCode::offset_not_left, 7},
-        ErrorRow{"D64_G68_after_G43_stood_still",
-                 "P0001N001G11T01F0100N002G43N003G01X+1000N004G01X+0N005G40N006G68X+0%", ErrorCode::offset_not_left, 6},
-        ErrorRow{"D68_G75_under_G41", "P0001N001G41N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
-        ErrorRow{"D68_G75_under_G42", "P0001N001G42N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
-        ErrorRow{"D68_G75_under_G43", "P0001N001G43N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
-        ErrorRow{"D68_G75_under_G44", "P0001N001G44N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
-        ErrorRow{"D68_G75_under_G46", "P0001N001G46N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
-        ErrorRow{"COMP018_G41_under_G75", "P0001N001G75X-1000N002G41%", ErrorCode::scale_not_allowed, 2},
-        ErrorRow{"COMP018_G44_under_G75", "P0001N001G75X-1000N002G44%", ErrorCode::scale_not_allowed, 2},
-        ErrorRow{"COMP018_G46_under_G75", "P0001N001G75X-1000N002G46%", ErrorCode::scale_not_allowed, 2}),
+        OffsetErrorRow{"D69_plane_under_G41", "P0001N001G41N002G18%", ErrorCode::plane_locked, 2},
+        OffsetErrorRow{"D69_plane_under_G42", "P0001N001G42N002G19%", ErrorCode::plane_locked, 2},
+        OffsetErrorRow{"D69_plane_under_G43", "P0001N001G43N002G19%", ErrorCode::plane_locked, 2},
+        OffsetErrorRow{"D69_plane_under_G44", "P0001N001G44N002G19%", ErrorCode::plane_locked, 2},
+        OffsetErrorRow{"D69_plane_under_G46", "P0001N001G46N002G18%", ErrorCode::plane_locked, 2},
+        OffsetErrorRow{"D69_back_to_G17", "P0001N001G18N002G46N003G17%", ErrorCode::plane_locked, 3},
+        OffsetErrorRow{"D64_G68_under_G41", "P0001N001G41N002G68X+0%", ErrorCode::compensation_impossible, 2},
+        OffsetErrorRow{"D64_G68_under_G42", "P0001N001G42N002G68X+0%", ErrorCode::compensation_impossible, 2},
+        OffsetErrorRow{"D64_G68_under_G43", "P0001N001G43N002G68X+0%", ErrorCode::compensation_impossible, 2},
+        OffsetErrorRow{"D64_G68_under_G44", "P0001N001G44N002G68X+0%", ErrorCode::compensation_impossible, 2},
+        OffsetErrorRow{"D64_G68_under_G46", "P0001N001G46N002G68X+0%", ErrorCode::compensation_impossible, 2},
+        OffsetErrorRow{"D64_G69_under_G41", "P0001N001G41N002G69X+0%", ErrorCode::compensation_impossible, 2},
+        OffsetErrorRow{"D64_G69_under_G46", "P0001N001G46N002G69Z-1000%", ErrorCode::compensation_impossible, 2},
+        OffsetErrorRow{"D64_G68_before_the_contour_is_left",
+                       "P0001N001G11T01F0100N002G41N003G01X+1000N004G40N005G68X+0%", ErrorCode::offset_not_left, 5},
+        OffsetErrorRow{"D64_G68_before_an_axis_is_left",
+                       "P0001N001G11T01F0100N002G43N003G01X+1000Y+1000N004G40N005G01X+1000N006G68X+0%",
+                       ErrorCode::offset_not_left, 6},
+        OffsetErrorRow{"D64_G69_before_the_length_is_left",
+                       "P0001N001G11T01F0100N002G46N003G01Z-1000N004G45N005G69X-1000%", ErrorCode::offset_not_left, 5},
+        OffsetErrorRow{"D64_G68_before_the_plane_that_was_left",
+                       "P0001N001G11T01F0100N002G41N003G01X+1000N004G40N005G18N006G01Z+1N007G68X+0%",
+                       ErrorCode::offset_not_left, 7},
+        OffsetErrorRow{"D64_G68_after_G43_stood_still",
+                       "P0001N001G11T01F0100N002G43N003G01X+1000N004G01X+0N005G40N006G68X+0%",
+                       ErrorCode::offset_not_left, 6},
+        OffsetErrorRow{"D68_G75_under_G41", "P0001N001G41N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
+        OffsetErrorRow{"D68_G75_under_G42", "P0001N001G42N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
+        OffsetErrorRow{"D68_G75_under_G43", "P0001N001G43N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
+        OffsetErrorRow{"D68_G75_under_G44", "P0001N001G44N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
+        OffsetErrorRow{"D68_G75_under_G46", "P0001N001G46N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
+        OffsetErrorRow{"COMP018_G41_under_G75", "P0001N001G75X-1000N002G41%", ErrorCode::scale_not_allowed, 2},
+        OffsetErrorRow{"COMP018_G44_under_G75", "P0001N001G75X-1000N002G44%", ErrorCode::scale_not_allowed, 2},
+        OffsetErrorRow{"COMP018_G46_under_G75", "P0001N001G75X-1000N002G46%", ErrorCode::scale_not_allowed, 2}),
     [](const auto& row) { return std::string(row.param.name); });
 
 struct AllowedRow {

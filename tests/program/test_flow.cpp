@@ -85,14 +85,14 @@ TEST(FlowStart, SaysWhatIsMissing) {
   EXPECT_EQ(run_text("P0001N001G17%", 9, {.program = 9985}).code(), ErrorCode::reserved_for_cycles);
 }
 
-struct ErrorRow {
+struct FlowErrorRow {
   const char* name;
   const char* text;
   ErrorCode code;
   int program, block;
 };
 
-class FlowErrors : public testing::TestWithParam<ErrorRow> {};
+class FlowErrors : public testing::TestWithParam<FlowErrorRow> {};
 
 TEST_P(FlowErrors, NameTheBlock) {
   const RunResult run = run_text(GetParam().text, 5000);
@@ -104,23 +104,23 @@ TEST_P(FlowErrors, NameTheBlock) {
 INSTANTIATE_TEST_SUITE_P(
     , FlowErrors,
     testing::Values(
-        ErrorRow{"D58_G20_to_a_missing_program", "P0001N001G20P0002N001%", ErrorCode::program_missing, 1, 1},
-        ErrorRow{"D58_G22_to_a_missing_block", "P0001N001G17N002G22P0002N009W00\nP0002N001G17%",
-                 ErrorCode::block_missing, 1, 2},
-        ErrorRow{"DEC64_G22_to_a_cycle", "P0001N001G22P9981N001W00%", ErrorCode::reserved_for_cycles, 1, 1},
-        ErrorRow{"DEC64_G20_to_a_cycle", "P0001N001G17N002G20P9989N001%", ErrorCode::reserved_for_cycles, 1, 2},
-        ErrorRow{"D58_G20_to_a_missing_block", "P0001N001G20P0001N002%", ErrorCode::block_missing, 1, 1},
-        ErrorRow{"D58_G20_to_the_tool_table", "P0000T001R+1L+1\nP0001N001G20P0000N001%", ErrorCode::program_missing, 1,
-                 1},
-        ErrorRow{"D58_after_G20_the_caller_is_still_active",
-                 "P0001N001G22P0002N001W00\nP0002N001G20P0003N001\nP0003N001G22P0002N001W00%",
-                 ErrorCode::nesting_too_deep, 3, 1},
-        ErrorRow{"D58_call_of_itself", "P0001N001G22P0001N001W00%", ErrorCode::nesting_too_deep, 1, 1},
-        ErrorRow{"D58_two_that_call_each_other",
-                 "P0001N001G22P0002N001W00\nP0002N001G22P0003N001W00\nP0003N001G17N002G22P0002N001W00%",
-                 ErrorCode::nesting_too_deep, 3, 2},
-        ErrorRow{"G22_of_the_tool_table", "P0000T001R+1L+1\nP0001N001G22P0000N001W00%", ErrorCode::program_missing, 1,
-                 1}),
+        FlowErrorRow{"D58_G20_to_a_missing_program", "P0001N001G20P0002N001%", ErrorCode::program_missing, 1, 1},
+        FlowErrorRow{"D58_G22_to_a_missing_block", "P0001N001G17N002G22P0002N009W00\nP0002N001G17%",
+                     ErrorCode::block_missing, 1, 2},
+        FlowErrorRow{"DEC64_G22_to_a_cycle", "P0001N001G22P9981N001W00%", ErrorCode::reserved_for_cycles, 1, 1},
+        FlowErrorRow{"DEC64_G20_to_a_cycle", "P0001N001G17N002G20P9989N001%", ErrorCode::reserved_for_cycles, 1, 2},
+        FlowErrorRow{"D58_G20_to_a_missing_block", "P0001N001G20P0001N002%", ErrorCode::block_missing, 1, 1},
+        FlowErrorRow{"D58_G20_to_the_tool_table", "P0000T001R+1L+1\nP0001N001G20P0000N001%", ErrorCode::program_missing,
+                     1, 1},
+        FlowErrorRow{"D58_after_G20_the_caller_is_still_active",
+                     "P0001N001G22P0002N001W00\nP0002N001G20P0003N001\nP0003N001G22P0002N001W00%",
+                     ErrorCode::nesting_too_deep, 3, 1},
+        FlowErrorRow{"D58_call_of_itself", "P0001N001G22P0001N001W00%", ErrorCode::nesting_too_deep, 1, 1},
+        FlowErrorRow{"D58_two_that_call_each_other",
+                     "P0001N001G22P0002N001W00\nP0002N001G22P0003N001W00\nP0003N001G17N002G22P0002N001W00%",
+                     ErrorCode::nesting_too_deep, 3, 2},
+        FlowErrorRow{"G22_of_the_tool_table", "P0000T001R+1L+1\nP0001N001G22P0000N001W00%", ErrorCode::program_missing,
+                     1, 1}),
     [](const auto& row) { return std::string(row.param.name); });
 
 /// P0001 calls P0002 calls … `calls` levels deep.

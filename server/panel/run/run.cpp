@@ -18,8 +18,6 @@ constexpr int kItemsPerPoll = 400;
 /// Blocks that may wait: more would only cost memory, and a jump loop without motion would fill it.
 constexpr std::uint64_t kMostBlocksAhead = 8192;
 constexpr double kLeastLookAhead_s = 2;
-/// A command given now is in the snapshot two ticks later: the tick that runs may have read the ring already.
-constexpr std::uint64_t kAnswerTicks = 2;
 
 program::Settings settings_of(const RunOrder& order, bool is_lab_machine) {
   program::Settings settings = interpreter_settings(order.data, order.vocabulary);
