@@ -314,7 +314,8 @@ TEST(NegativeRadius, StopsTheBlockThatTakesIt_D50_DEC56) {
     EXPECT_EQ(run.error->expected, "R >= 0");
   }
   EXPECT_FALSE(run_text(table + "G46N003G01Z-1000%").error) << "the length needs no radius";
-  Start inside{.modal = {.radius = RadiusCompensation::left}};
+  Start inside;
+  inside.modal.radius = RadiusCompensation::left;
   inside.modal.tool_radius = {-5000};
   EXPECT_EQ(run_text("P0001N001G01X+1000F0500%", 9, inside).code(), ErrorCode::word_out_of_range)
       << "found in force by a start in the middle";
