@@ -16,7 +16,7 @@ using language::Address;
 using language::Error;
 using language::ErrorCode;
 
-constexpr std::array kAxes{Address::X, Address::Y, Address::Z};
+constexpr std::array kTaughtAxes{Address::X, Address::Y, Address::Z};
 constexpr language::Function kLine{language::Function::Kind::g, 1};
 constexpr std::uint8_t kProposedG = 1;
 
@@ -61,9 +61,10 @@ void press_prompt(TeachInMode& mode, ControlState& state, Effect effect, int fig
 void fill_position(TeachInMode& mode, const ControlState& state) {
   const bool is_absolute = state.modal.dimension == program::Dimension::absolute;
   const auto words_um = is_absolute ? istwerte_um(state) : way_um_since(mode.reference, state);
-  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+  for (std::size_t axis = 0; axis < kTaughtAxes.size(); ++axis) {
     const bool stays_empty = !is_absolute && words_um[axis] == 0;
-    mode.line.fill(kAxes[axis], stays_empty ? std::nullopt : std::optional(static_cast<std::int32_t>(words_um[axis])));
+    mode.line.fill(kTaughtAxes[axis],
+                   stays_empty ? std::nullopt : std::optional(static_cast<std::int32_t>(words_um[axis])));
   }
 }
 

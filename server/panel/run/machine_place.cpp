@@ -7,12 +7,12 @@ namespace cnclab::panel {
 
 namespace {
 
-constexpr double kUmPerMm = 1000;
+constexpr double kMicrometresPerMm = 1000;
 constexpr int kFirstStepsDatum = 14;  ///< MD 14 to 16: steps per mm of X, Y, Z
 
 double steps_per_um(const ControlState& state, std::size_t axis) {
   const machine::MachineData data = state.applied_data ? *state.applied_data : state.effective_data();
-  return static_cast<double>(data.get(kFirstStepsDatum + static_cast<int>(axis))) / kUmPerMm;
+  return static_cast<double>(data.get(kFirstStepsDatum + static_cast<int>(axis))) / kMicrometresPerMm;
 }
 
 }  // namespace
@@ -43,7 +43,8 @@ MachinePlace place_behind(const std::array<std::int64_t, 3>& way_um, const Contr
 std::array<std::int64_t, 3> istwerte_um(const ControlState& state) {
   const machine::Snapshot machine = state.machine();
   std::array<std::int64_t, 3> um{};
-  for (std::size_t axis = 0; axis < um.size(); ++axis) um[axis] = std::llround(machine.istwert_mm[axis] * kUmPerMm);
+  for (std::size_t axis = 0; axis < um.size(); ++axis)
+    um[axis] = std::llround(machine.istwert_mm[axis] * kMicrometresPerMm);
   return um;
 }
 
