@@ -63,7 +63,8 @@ void fill_position(TeachInMode& mode, const ControlState& state) {
   const auto words_um = is_absolute ? istwerte_um(state) : way_um_since(mode.reference, state);
   for (std::size_t axis = 0; axis < kTaughtAxes.size(); ++axis) {
     const bool stays_empty = !is_absolute && words_um[axis] == 0;
-    mode.line.fill(kTaughtAxes[axis], stays_empty ? std::nullopt : std::optional(static_cast<std::int32_t>(words_um[axis])));
+    mode.line.fill(kTaughtAxes[axis],
+                   stays_empty ? std::nullopt : std::optional(static_cast<std::int32_t>(words_um[axis])));
   }
 }
 
