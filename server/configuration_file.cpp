@@ -254,8 +254,7 @@ std::expected<lab::Configuration, std::string> read_configuration(const std::fil
 std::expected<lab::Configuration, std::string> parse_configuration(std::string_view text,
                                                                    const std::filesystem::path& file) {
   const auto ascii = ascii_configuration(text);
-  if (!ascii)
-    return std::unexpected(fmt::format("{}:{}: {}", file.string(), ascii.error().line, ascii.error().reason));
+  if (!ascii) return std::unexpected(fmt::format("{}:{}: {}", file.string(), ascii.error().line, ascii.error().reason));
   return parsed(file, [&] { return toml::parse(*ascii, file.string()); });
 }
 
