@@ -174,10 +174,13 @@ const Binding* binding_of(const Input& input) {
   return found == bindings.end() ? nullptr : &*found;
 }
 
+bool is_stop(const Press& press) {
+  return press.keys.size() == 1 && (press.keys.front() == Key::STOP || press.keys.front() == Key::MASCHINE_HALT);
+}
+
 bool is_stop(const Binding& binding) {
   const auto* const press = std::get_if<Press>(&binding.action);
-  return press != nullptr && press->keys.size() == 1 &&
-         (press->keys.front() == Key::STOP || press->keys.front() == Key::MASCHINE_HALT);
+  return press != nullptr && is_stop(*press);
 }
 
 bool is_stop(const Input& input) {

@@ -79,6 +79,7 @@ struct Binding {
 /// Nothing where the key means nothing here.
 [[nodiscard]] const Binding* binding_of(const Input& input);
 /// Presses STOP or MASCHINE HALT alone: acts whatever is on the screen, and is never dropped (AUTH-006).
+[[nodiscard]] bool is_stop(const Press& press);
 [[nodiscard]] bool is_stop(const Binding& binding);
 [[nodiscard]] bool is_stop(const Input& input);
 /// "Leertaste", "Bild↑", "F9", "x".

@@ -21,6 +21,9 @@ namespace {
 constexpr auto kRepeat = 60ms;
 constexpr auto kLit = 150ms;
 constexpr auto kTone = 1000ms;
+// Of inputs that the server has not handled. It hangs up at 256 that wait, and what comes behind them is lost with
+// them.
+constexpr std::uint64_t kMostUnhandled = 200;
 
 Colour colour_of(const Binding& binding) {
   const auto* const press = std::get_if<Press>(&binding.action);
@@ -193,6 +196,7 @@ void Monitor::act(const Binding& binding, bool repeated) {
 
 void Monitor::press(const Press& press, bool repeated) {
   if (press.keys == std::vector{Key::ENTER} && shows_external_data(session_.screen())) return press_latched(repeated);
+  if (session_.unhandled() > kMostUnhandled && !is_stop(press)) return;
   if (!session_.send_keys(press.keys, true, repeated)) return;
   if (press.hold == 0ms) {
     session_.send_keys(press.keys, false, repeated);
