@@ -54,6 +54,7 @@ std::expected<CommandLine, EarlyEnd> read_command_line(const std::vector<std::st
   std::string server = "127.0.0.1:3300";
   CLI::App app(kDescription, "cnclab-instructor");
   add_access(app, line.access, server);
+  app.add_flag("--ascii", line.is_ascii, "the console draws without Unicode");
   add_commands(app, line.command);
   try {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 takes them
