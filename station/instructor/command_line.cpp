@@ -94,6 +94,7 @@ std::vector<std::string> words_of(const std::string& line) {
 std::expected<Command, std::string> read_command(const std::vector<std::string>& words, station::Language language) {
   std::optional<Command> command;
   CLI::App app("", "");
+  app.set_help_flag();  // the page of `?` is the help here
   add_commands(app, command);
   try {
     std::vector<std::string> reversed(words.rbegin(), words.rend());

@@ -173,6 +173,8 @@ Message done_message(const ConsoleModel& model, const v1::InstructorRequest& req
     return {fmt::format(fmt::runtime(form.in(model.language)), request.select().station()), false};
   }
   if (request.has_release()) return say(model, {"Niemand hat die Steuerung.", "Nobody has control."});
+  if (request.has_halt() && model.overlay == Overlay::watching)
+    return say(model, {"MASCHINE HALT. In der Tafel hebt c ihn auf.", "MACHINE HALT. In the table c clears it."});
   if (request.has_halt()) return say(model, {"MASCHINE HALT. c hebt ihn auf.", "MACHINE HALT. c clears it."});
   if (request.has_clear_halt()) return say(model, {"Halt aufgehoben.", "Halt cleared."});
   if (request.has_power_off()) return say(model, {"Antriebe stromlos. p schaltet ein.", "Drives off. p switches on."});
@@ -262,6 +264,7 @@ ConsoleModel with_screen(ConsoleModel model, const Screen& screen) {
 
 ConsoleModel with_line(ConsoleModel model, Link link) {
   model.link = link;
+  model.message = {};  // of what was sent over the line before
   if (model.overlay == Overlay::watching) model.overlay = Overlay::none;
   model.watched = {};
   return model;

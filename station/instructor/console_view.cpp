@@ -65,6 +65,7 @@ class Drawing {
     const Text typing{" Platz {}: Ihre Tastatur. F8 gibt sie zurück, F12 MASCHINE HALT ",
                       " Station {}: your keyboard. F8 gives it back, F12 MACHINE HALT "};
     const Text& text = model_.watched.is_typing ? typing : watching;
+    fill(0, Attribute::inverse);
     screen_.write(0, 1, fmt::format(fmt::runtime(say(text)), model_.watched.station), Attribute::inverse);
     if (!model_.message.text.empty()) screen_.write(17, 1, model_.message.text, Attribute::inverse, 64);
     return screen_;

@@ -220,6 +220,31 @@ TEST(ConsoleWatching, INS_002_keys_go_to_the_keyboard_taken_over_until_F8) {
   EXPECT_THAT(react(given.model, Typed{U'7'}).keys, IsEmpty());
 }
 
+TEST(ConsoleWatching, the_titles_line_is_the_consoles_own_and_a_halt_says_where_c_clears_it) {
+  v1::InstructorRequest watch, halt;
+  watch.mutable_watch()->set_station(7);
+  halt.mutable_halt();
+  ConsoleModel model = with_answer(connected(), watch, {});
+  Screen screen;
+  screen.write(0, 66, "Platz 07");
+  model = with_screen(std::move(model), screen);
+  EXPECT_THAT(draw_console(model).screen.text(0), testing::Not(HasSubstr("07")));
+  EXPECT_THAT(with_answer(model, halt, {}).message.text, HasSubstr("In der Tafel"));
+  EXPECT_THAT(with_answer(connected(), halt, {}).message.text, testing::Not(HasSubstr("In der Tafel")));
+}
+
+TEST(ConsoleWatching, SEAT_005_what_the_lost_line_refused_is_told_until_there_is_one_again) {
+  ConsoleModel model = react(with_line(connected(), Link::lost), Typed{U's'}).model;
+  EXPECT_THAT(model.message.text, HasSubstr("nichts gesendet"));
+  EXPECT_EQ(with_line(std::move(model), Link::connected).message.text, "");
+}
+
+TEST(ConsoleEntry, help_is_no_command_here) {
+  const Reaction reaction = entered(connected(), U":--help");
+  EXPECT_TRUE(reaction.model.message.is_error);
+  EXPECT_THAT(reaction.model.message.text, HasSubstr("--help"));
+}
+
 TEST(ConsoleWatching, SEAT_005_a_lost_line_ends_watching_and_typing) {
   v1::InstructorRequest request;
   request.mutable_take()->set_station(7);
