@@ -93,7 +93,8 @@ void Console::status(const Reply& reply) const {
   status.mutable_ticks()->set_longest_ms(static_cast<double>(ticks.longest_delay_ns) / 1e6);
   status.mutable_ticks()->set_stalls(static_cast<double>(lab_.machine_.stalls()));
   std::vector<Lab::DeskPtr> desks;
-  for (const auto& desk : lab_.seats_.all()) desks.push_back(desk);
+  for (const auto& desk : lab_.seats_.all())
+    if (lab_.seats_.shown_at(desk->station) == desk) desks.push_back(desk);  // one entry for each station
   std::ranges::sort(desks, {}, [](const auto& desk) { return desk->station; });
   for (const auto& desk : desks) fill_station(*status.add_stations(), desk);
   send(reply, {item});
