@@ -107,7 +107,9 @@ std::expected<DataFolder, std::string> open_data_folder(const fs::path& folder) 
   if (!certificate) return std::unexpected(certificate.error());
   lab::Inheritance inheritance;
   inheritance.newest_epoch = lab::Epoch{number_of(database->value("epoch"))};
-  inheritance.machine.data = lab::machine_data_of(database->machine_data(db::kLabMachine));
+  const auto found = lab::lab_machine_data_of(database->machine_data(db::kLabMachine));
+  inheritance.machine.data = found.data;
+  inheritance.machine.damaged_data = found.damaged;
   inheritance.machine.tools = database->value("tools").value_or("");
   inheritance.machine.workpiece_mm = workpiece_of(database->value("workpiece"));
   inheritance.database = folder / kDatabase;

@@ -186,7 +186,9 @@ class Drawing {
                   fmt::format("{} {:.0f}, {} {:.2f} ms", say({"verspätet", "late"}), status.ticks().late(),
                               say({"längster", "longest"}), status.ticks().longest_ms()));
     screen_.write(kTickRow, 44, fmt::format("{} {:.0f}", say({"Freigabe Nr", "lease no."}), status.lease()));
-    if (!status.halted_by().empty()) {
+    if (status.machine().damaged_data_size() > 0) {
+      screen_.write(kTickRow, 62, "CHECKSUM FEHLER", Attribute::inverse);
+    } else if (!status.halted_by().empty()) {
       screen_.write(kTickRow, 62, fmt::format("HALT: {}", status.halted_by()), Attribute::inverse, 17);
     }
   }
