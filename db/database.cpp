@@ -88,7 +88,10 @@ std::expected<Database, OpenError> Database::open_to_read(const std::filesystem:
     auto sqlite = open_read_only(file);
     sqlite.setBusyTimeout(kBusyTimeout_ms);
     const int known = migrations().back().number;
-    if (const int version = schema_version(sqlite); version != known)
+    const int version = schema_version(sqlite);
+    if (version == 0)
+      return std::unexpected(OpenError{OpenError::Kind::other, file.string() + ": is empty, there is no lab in it."});
+    if (version != known)
       return std::unexpected(OpenError{OpenError::Kind::other,
                                        file.string() + ": has the older database version " + std::to_string(version) +
                                            " (this program reads " + std::to_string(known) +

@@ -58,6 +58,7 @@ TEST(RosterCsv, INS_004_NamesTheLineOfEveryError) {
       {"no name", "anna\n,geheim123,de", "line 2: ", "name"},
       {"blank in the name", "an na", "line 1: ", "name"},
       {"name of 33 bytes", "abcdefghijklmnopqrstuvwxyzabcdefg", "line 1: ", "name"},
+      {"a folder's own name", "anna\n..", "line 2: ", "name"},
       {"twice", "anna\notto\n\nanna", "line 4: ", "above"},
       {"short password", "anna,kurz", "line 1: ", "password"},
       {"unknown language", "anna,,fr", "line 1: ", "language"},

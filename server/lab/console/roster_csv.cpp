@@ -115,7 +115,9 @@ bool is_name(std::string_view name) {
   const auto allowed = [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '.' || c == '-' || c == '_' || c >= 0x80;
   };
-  return !name.empty() && name.size() <= kLongestName && std::ranges::all_of(name, allowed);
+  // Names become folders where programs are collected.
+  return !name.empty() && name != "." && name != ".." && name.size() <= kLongestName &&
+         std::ranges::all_of(name, allowed);
 }
 
 std::string line_prefix(int line, language::Tongue tongue) {
