@@ -16,7 +16,6 @@ namespace cnclab::lab {
 
 namespace {
 
-constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr std::int64_t kLoginDeadline_ns = 10 * kSecond_ns;  ///< SEC-005
 constexpr std::int64_t kSilence_ns = 5 * kSecond_ns;         ///< SEAT-004
 constexpr std::size_t kMostUnknown = 64;                     ///< connections that are not logged in (SEC-005)

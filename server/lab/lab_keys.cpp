@@ -93,6 +93,7 @@ bool Lab::take_urgent(const DeskPtr& desk, const Input& input) {
   }
   if (input.keys.front() == Key::MASCHINE_HALT) {
     if (input.is_repeat) return true;
+    desk->control.note_labs_key();
     const auto tongue = tongue_of(desk->person);
     const HaltPressed press{desk->login, desk->person.name, desk->station};
     const bool release = authority_.is_halted() && authority_.halted_by_login() == desk->login;
@@ -125,9 +126,12 @@ void Lab::act(const DeskPtr& desk, const Input& input) {
     return;
   }
   if (desk->notice_until_ns != 0) note(*desk, "");
+  if (contains(input, Key::RESET)) desk->labor.reset();  // it acts in every state, the lab's menu is none (DEC-39)
   if (input.keys.size() > 1) return outcome(desk, desk->control.press_chord(input.keys, now(*desk)), input.number);
   const Key key = input.keys.front();
-  if (takes_for_menu(*desk, key)) return labor_key(desk, key);
+  const bool is_for_menu = takes_for_menu(*desk, key);
+  if (is_for_menu || key == Key::MELDUNG) desk->control.note_labs_key();
+  if (is_for_menu) return labor_key(desk, key);
   if (key == Key::MELDUNG) {
     seats_.turn_hand(desk);
     return everybody_changed();
@@ -176,12 +180,12 @@ void Lab::outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t num
     note(*desk, say(tongue, "RESET hat die Maschine abgegeben.", "RESET has given the machine back."));
   }
   if (outcome.remote_start) judge_remote_start(desk, *outcome.remote_start);
-  if (!desk->switching && desk->control.awaits_machine()) desk->switching = number;
+  if (!desk->switching && desk->control.awaits_effect()) desk->switching = number;
   record_run(desk);  // a run that begins now is recorded with the versions that the store has now
 }
 
 void Lab::heed_switched(const DeskPtr& desk) {
-  if (!desk->switching || desk->control.awaits_machine()) return;
+  if (!desk->switching || desk->control.awaits_effect()) return;
   desk->switching.reset();
   desk->is_dirty = true;
   pump(desk);

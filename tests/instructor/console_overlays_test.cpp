@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "console_rig.hpp"
 #include "instructor/console_model.hpp"
 #include "instructor/console_view.hpp"
 
@@ -12,21 +13,11 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-ConsoleModel connected() {
-  ConsoleModel model;
-  model.status.emplace();
-  model.status->mutable_machine()->set_state("standstill");
-  model.chosen = 7;
-  return model;
-}
-
 /// What comes of typing a text and then Enter.
 Reaction entered(ConsoleModel model, const std::u32string& text) {
   for (const char32_t character : text) model = react(std::move(model), Typed{character}).model;
   return react(std::move(model), Special::enter);
 }
-
-std::string asked(const Reaction& reaction) { return reaction.request ? reaction.request->ShortDebugString() : "-"; }
 
 TEST(ConsoleEntry, INS_005_every_command_of_the_command_line_can_be_typed) {
   struct Row {
