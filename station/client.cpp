@@ -73,27 +73,24 @@ class Watchdog {
   asio::steady_timer timer_;
 };
 
-std::string said(std::string_view german, std::string_view english) {
-  return std::string(Text{german, english}.in(language_of_locale()));
-}
-
 ConnectError unreachable(const Address& address, const std::string& reason) {
   return {ExitCode::cannot_connect,
-          fmt::format(fmt::runtime(said("Kein Anschluss an {}:{}: {}. Läuft der Server, stimmt die Adresse?",
-                                        "Cannot connect to {}:{}: {}. Is the server running, is the address right?")),
+          fmt::format(fmt::runtime(in_language_of_locale(
+                          "Kein Anschluss an {}:{}: {}. Läuft der Server, stimmt die Adresse?",
+                          "Cannot connect to {}:{}: {}. Is the server running, is the address right?")),
                       address.host, address.port, reason)};
 }
 
 ConnectError wrong_version(const v1::Welcome& welcome) {
   std::string versions;
   for (const auto version : welcome.versions()) versions += (versions.empty() ? "" : ", ") + std::to_string(version);
-  return {
-      ExitCode::protocol_version,
-      fmt::format(fmt::runtime(said("Der Server spricht eine andere Protokollversion: er kann {}, dieses Programm {}. "
-                                    "Auf beiden Seiten dieselbe cnclab-Version installieren. {}",
-                                    "The server speaks another protocol version: it knows {}, this program {}. Install "
-                                    "the same cnclab version on both sides. {}")),
-                  versions.empty() ? "?" : versions, kProtocolVersion, printable(welcome.text()))};
+  return {ExitCode::protocol_version,
+          fmt::format(fmt::runtime(in_language_of_locale(
+                          "Der Server spricht eine andere Protokollversion: er kann {}, dieses Programm {}. "
+                          "Auf beiden Seiten dieselbe cnclab-Version installieren. {}",
+                          "The server speaks another protocol version: it knows {}, this program {}. Install "
+                          "the same cnclab version on both sides. {}")),
+                      versions.empty() ? "?" : versions, kProtocolVersion, printable(welcome.text()))};
 }
 
 asio::awaitable<v1::ServerMessage> read_message(asio::ssl::stream<tcp::socket>& stream) {
@@ -176,7 +173,7 @@ asio::awaitable<std::expected<Client, ConnectError>> Client::connect(Address add
     reason = error.code().message();
   }
   if (watchdog.has_bitten()) {
-    reason = fmt::format(fmt::runtime(said("keine Antwort in {} s", "no answer within {} s")),
+    reason = fmt::format(fmt::runtime(in_language_of_locale("keine Antwort in {} s", "no answer within {} s")),
                          static_cast<double>(deadline.count()) / 1000);
   }
   co_return std::unexpected(unreachable(address, reason));

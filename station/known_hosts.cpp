@@ -19,10 +19,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-std::string said(std::string_view german, std::string_view english) {
-  return std::string(Text{german, english}.in(language_of_locale()));
-}
-
 // A file descriptor that is closed, and with it unlocked, at the end of its scope.
 class LockedFile {
  public:
@@ -56,28 +52,29 @@ class LockedFile {
 };
 
 ConnectError unusable(const fs::path& file, const std::string& reason) {
-  return {
-      ExitCode::cannot_connect,
-      fmt::format(fmt::runtime(said("Das Zertifikat des Servers lässt sich nicht merken: {}: {}. Die Datei zugänglich "
-                                    "machen oder --fingerprint angeben.",
-                                    "The server's certificate cannot be remembered: {}: {}. Make the file accessible "
-                                    "or give --fingerprint.")),
-                  file.string(), reason)};
+  return {ExitCode::cannot_connect,
+          fmt::format(fmt::runtime(in_language_of_locale(
+                          "Das Zertifikat des Servers lässt sich nicht merken: {}: {}. Die Datei zugänglich "
+                          "machen oder --fingerprint angeben.",
+                          "The server's certificate cannot be remembered: {}: {}. Make the file accessible "
+                          "or give --fingerprint.")),
+                      file.string(), reason)};
 }
 
 ConnectError differs_from_given(const std::string& given, const std::string& shown) {
   return {ExitCode::certificate_differs,
-          fmt::format(fmt::runtime(said("Das Zertifikat des Servers ist nicht das angegebene: verlangt {}, gezeigt {}. "
-                                        "Adresse und --fingerprint prüfen.",
-                                        "The server's certificate is not the given one: wanted {}, shown {}. Check the "
-                                        "address and --fingerprint.")),
+          fmt::format(fmt::runtime(in_language_of_locale(
+                          "Das Zertifikat des Servers ist nicht das angegebene: verlangt {}, gezeigt {}. "
+                          "Adresse und --fingerprint prüfen.",
+                          "The server's certificate is not the given one: wanted {}, shown {}. Check the "
+                          "address and --fingerprint.")),
                       given, shown)};
 }
 
 ConnectError differs_from_known(const fs::path& file, int line, const std::string& known, const std::string& shown) {
   return {
       ExitCode::certificate_differs,
-      fmt::format(fmt::runtime(said(
+      fmt::format(fmt::runtime(in_language_of_locale(
                       "Der Server zeigt ein anderes Zertifikat als bisher: bekannt {}, gezeigt {}. Entweder wurde der "
                       "Server neu eingerichtet, oder jemand gibt sich für ihn aus. Erst beim Lehrer nachfragen, dann "
                       "{} Zeile {} löschen.",
@@ -147,7 +144,7 @@ std::expected<Acquaintance, ConnectError> judge(const Trust& trust, const Addres
   }
   const fs::path path = trust.known_hosts.empty() ? default_known_hosts() : trust.known_hosts;
   if (path.empty()) {
-    return std::unexpected(unusable("known_hosts", said("HOME ist nicht gesetzt", "HOME is not set")));
+    return std::unexpected(unusable("known_hosts", in_language_of_locale("HOME ist nicht gesetzt", "HOME is not set")));
   }
   return judge_by_file(path, address, fingerprint);
 }

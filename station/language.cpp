@@ -15,4 +15,8 @@ Language language_of_locale() {
   return Language::german;
 }
 
+std::string in_language_of_locale(std::string_view german, std::string_view english) {
+  return std::string(Text{german, english}.in(language_of_locale()));
+}
+
 }  // namespace cnclab::station

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace cnclab::station {
@@ -20,5 +21,7 @@ struct Text {
 [[nodiscard]] Language language_named(std::string_view code);
 /// From LC_ALL, LC_MESSAGES, LANG, in this order.
 [[nodiscard]] Language language_of_locale();
+/// The one of the two that fits it: for what is said on the command line.
+[[nodiscard]] std::string in_language_of_locale(std::string_view german, std::string_view english);
 
 }  // namespace cnclab::station

@@ -9,6 +9,8 @@
 //
 //   1. Under G43 a line's end is shifted by R along each axis of the plane in the sense of its way there; under G44
 //      against it. An axis without a way keeps its shift.
+//      Where less than nothing would be left, the axis would run against its programmed direction: a way under G44
+//      that is shorter than R, or than 2·R behind a way to the other side, cannot be followed (DEC-09).
 //   2. G40 takes each axis' shift back with the next line that moves or names that axis.
 //   3. What G41/G42 finds left over, or a run finds at its start, goes in both axes of the plane with the next line
 //      that moves or names one of them: that line ends on the contour's offset, or on the programmed point.
@@ -18,7 +20,10 @@
 //      arcs and helices as they are, whatever their plane.
 #include "geometry/axis_offset.hpp"
 
+#include <cmath>
+
 #include "geometry/path_math.hpp"
+#include "geometry/tolerances.hpp"
 
 namespace cnclab::geometry {
 
@@ -48,12 +53,12 @@ void add(Point& point, const std::array<double, 3>& shift_mm) {
 
 std::expected<void, StageFault> AxisOffset::rewrite(PathItem& item) {
   if (auto* line = std::get_if<Line>(&item.what)) {
-    shift(item, *line);
+    if (const auto shifted = shift(item, *line); !shifted) return shifted;
     if (line->from == line->to) item.what = Mark{};
   } else if (auto* arc = std::get_if<Arc>(&item.what)) {
     if (refuses(*arc))
       return std::unexpected(
-          StageFault{.kind = StageFault::Kind::arc_at_entry_or_exit, .block = item.source, .other = item.source});
+          StageFault{.kind = StageFault::Kind::arc_under_axis_offset, .block = item.source, .other = item.source});
     add(arc->from, shift_mm_);
     add(arc->to, shift_mm_);
     add(arc->center, shift_mm_);
@@ -90,7 +95,7 @@ void AxisOffset::take(const LengthOffset& order) {
   length_mm_ = order.length_mm;
 }
 
-void AxisOffset::shift(const PathItem& item, Line& line) {
+std::expected<void, StageFault> AxisOffset::shift(const PathItem& item, Line& line) {
   std::array<double, 3> next_mm = shift_mm_;
   if (!item.is_fourth_axis) {
     const std::size_t normal = normal_of(plane_);
@@ -99,12 +104,26 @@ void AxisOffset::shift(const PathItem& item, Line& line) {
     const auto is_named = [&](std::size_t axis) { return (item.named_axes >> axis & 1U) != 0; };
     for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
       moves_in_plane = moves_in_plane || (axis != normal && (way(axis) != 0 || is_named(axis)));
-    for (std::size_t axis = 0; axis < kAxes.size(); ++axis)
+    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
       next_mm[axis] = next_shift(axis, way(axis), is_named(axis), moves_in_plane);
+      const double change = next_mm[axis] - shift_mm_[axis];
+      if (axis != normal && runs_backwards(way(axis), change))
+        return std::unexpected(StageFault{.kind = StageFault::Kind::runs_backwards,
+                                          .block = item.source,
+                                          .other = item.source,
+                                          .found_mm = std::abs(way(axis)),
+                                          .needed_mm = std::abs(change)});
+    }
   }
   add(line.from, shift_mm_);
   add(line.to, next_mm);
   shift_mm_ = next_mm;
+  return {};
+}
+
+/// Rule 1: does the change of an axis' shift more than undo its way?
+bool AxisOffset::runs_backwards(double way, double change) const {
+  return rule_ == Rule::follows_ways && way != 0 && std::copysign(1.0, way) * (way + change) < -kSamePoint_mm;
 }
 
 double AxisOffset::next_shift(std::size_t axis, double way, bool is_named, bool moves_in_plane) const {

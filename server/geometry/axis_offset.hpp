@@ -16,7 +16,8 @@ class AxisOffset {
  public:
   explicit AxisOffset(const std::array<double, 3>& shift_mm) : shift_mm_(shift_mm) {}
 
-  /// errors   arc_at_entry_or_exit: an arc while an axis of its plane is, or has to be, shifted by a radius
+  /// errors   arc_under_axis_offset: an arc while an axis of its plane is, or has to be, shifted by a radius
+  ///          runs_backwards: under G43 or G44 the radius would take more off an axis' way than there is of it
   [[nodiscard]] std::expected<void, StageFault> rewrite(PathItem& item);
 
   [[nodiscard]] const std::array<double, 3>& shift_mm() const { return shift_mm_; }
@@ -31,8 +32,9 @@ class AxisOffset {
 
   void take(const RadiusOffset& order);
   void take(const LengthOffset& order);
-  void shift(const PathItem& item, Line& line);
+  [[nodiscard]] std::expected<void, StageFault> shift(const PathItem& item, Line& line);
   [[nodiscard]] double next_shift(std::size_t axis, double way, bool is_named, bool moves_in_plane) const;
+  [[nodiscard]] bool runs_backwards(double way, double change) const;
   [[nodiscard]] bool refuses(const Arc& arc) const;
 
   std::array<double, 3> shift_mm_{};

@@ -2,7 +2,7 @@
 //
 //        wall (an element of the contour)        way (of the tool's centre)
 //      ═════════════════════════════          ─────────────────────────────▶
-//                 ▲ found                 found >= R - 1 µm, or the way is reported
+//                 ▲ found                 found >= R - 1.5 µm, or the way is reported
 //      ───────────▼─────────────────▶
 //
 // Entry and exit are ways like others, except that what stands below them is not cut:
@@ -25,15 +25,8 @@ namespace cnclab::geometry {
 
 namespace {
 
-/// Rounding, and the steps in which spirals are taken, stay below this; so does any machine's smallest step.
-constexpr double kTolerance_mm = 0.001;
 /// So many elements at either end may be run-in or run-out: a line and an arc.
 constexpr std::size_t kLongestRunIn = 2;
-/// Share of the radius that entry and exit keep from the corner where the contour begins and ends. An approach along
-/// the first wall's own line brushes it (by 3 % at four radii, D-70); one from the other side of the walls goes over
-/// it.
-constexpr double kLeastAtCorner = 0.5;
-
 /// The part of a line that is no higher than this; its lower end is.
 PlanePiece part_below(const Line& line, const PlaneAxes& axes, double height_mm) {
   constexpr double kSameHeight_mm = 1e-9;
@@ -51,6 +44,14 @@ auto trace_of(const PlanePiece& piece, const SourceBlock& source) {
                   source.block);
 }
 
+/// By how much the radii at both ends of an arc differ.
+double radius_error_of(const PathElement& element) {
+  const auto* arc = std::get_if<Arc>(&element);
+  if (arc == nullptr) return 0;
+  const ArcShape shape = shape_of(*arc);
+  return std::abs(shape.end_radius - shape.start_radius);
+}
+
 }  // namespace
 
 void ContourCheck::begin(Plane plane, double radius_mm, SourceBlock source, const Line& entry) {
@@ -60,6 +61,7 @@ void ContourCheck::begin(Plane plane, double radius_mm, SourceBlock source, cons
   awaits_exit_ = false;
   is_open_ = true;
   elements_ = 0;
+  tolerance_mm_ = kRounded_mm;
   joints_.clear();
   contour_.clear();
   ways_.clear();
@@ -76,10 +78,10 @@ void ContourCheck::append(SourceBlock source, const PathElement& element, std::u
 void ContourCheck::add_contour(SourceBlock source, const PathElement& element) {
   ++elements_;
   append(source, element, elements_, contour_);
+  tolerance_mm_ = std::max(tolerance_mm_, kRounded_mm + radius_error_of(element));
   const PlaneAxes& axes = axes_of(plane_);
   const auto ends = [&](const auto& way) {
     if (joints_.empty()) joints_.push_back(in_plane(way.from, axes));
-    if (elements_ == entry_.element) entry_.corner = joints_.front();
     joints_.push_back(in_plane(way.to, axes));
   };
   std::visit(ends, element);
@@ -98,7 +100,7 @@ void ContourCheck::end() {
   drop_repeated(ways_);
   plant_tree();
   look_round(entry_);
-  const double reach = radius_mm_ - kTolerance_mm;
+  const double reach = radius_mm_ - tolerance_mm_;
   for (const Placed& way : ways_) {
     const PieceBox box = box_of(way.piece);
     tree_.visit_near(box, reach, [&](std::size_t first, std::size_t last) {
@@ -120,11 +122,7 @@ void ContourCheck::split() {
 void ContourCheck::add_exit(SourceBlock source, const Line& exit) {
   const bool is_next = std::exchange(awaits_exit_, false);
   if (!is_next || joints_.empty()) return;
-  look_round({.kind = StageFault::Kind::exit_too_close,
-              .source = source,
-              .line = exit,
-              .corner = joints_.back(),
-              .element = elements_});
+  look_round({.kind = StageFault::Kind::exit_too_close, .source = source, .line = exit, .element = elements_});
 }
 
 /// Drops run-in and run-out from the walls: the largest part that closes is the contour.
@@ -135,7 +133,7 @@ void ContourCheck::keep_closed_part() {
     for (std::size_t ahead = 0; ahead <= std::min(dropped, kLongestRunIn); ++ahead) {
       const std::size_t behind = dropped - ahead;
       if (behind > kLongestRunIn || dropped >= count) continue;
-      if (size(joints_[ahead] - joints_[count - behind]) > kSamePoint_mm) continue;
+      if (size(joints_[ahead] - joints_[count - behind]) > kArcTolerance_mm) continue;
       std::erase_if(contour_,
                     [&](const Placed& wall) { return wall.element <= ahead || wall.element > count - behind; });
       is_closed_ = true;
@@ -179,13 +177,13 @@ void ContourCheck::compare(const Placed& way, const Placed& wall) {
   // Beside its own element a way keeps the tool's radius by construction; a corner need not (an arc that returns).
   if (way.element == wall.element) return;
   const double found = distance_between(way.piece, wall.piece);
-  if (found < radius_mm_ - kTolerance_mm) note(StageFault::Kind::too_close, way.source, wall.source, found);
+  if (found < radius_mm_ - tolerance_mm_) note(StageFault::Kind::too_close, way.source, wall.source, found);
 }
 
 /// Every wall that entry or exit comes near while it is no higher.
 void ContourCheck::look_round(const Passage& passage) {
   const PlaneAxes& axes = axes_of(plane_);
-  const double reach = radius_mm_ - kTolerance_mm;
+  const double reach = radius_mm_ - tolerance_mm_;
   pieces_.clear();
   append_pieces(passage.line, axes, pieces_);
   PieceBox box = box_of(pieces_.front());
@@ -196,17 +194,24 @@ void ContourCheck::look_round(const Passage& passage) {
   });
 }
 
-/// Where the way comes to the contour's own end first, nearness is no cut yet: beside it entry ends and exit begins.
 void ContourCheck::look_at(const Passage& passage, const Placed& wall) {
+  const std::optional<PlanePiece> counted = counted_part(passage, wall);
+  if (!counted) return;
   const PlanePiece way = part_below(passage.line, axes_of(plane_), wall.piece.highest);
-  const double found = distance_between(way, wall.piece);
-  double needed = radius_mm_ - kTolerance_mm;
-  const PlanePiece corner{.from = passage.corner, .to = passage.corner};
-  const bool is_at_corner =
-      distance_between(corner, wall.piece) < radius_mm_ && distance_between(way, corner) < found + kTolerance_mm;
-  const bool is_own = wall.element == passage.element && !is_closed_;
-  if (is_at_corner) needed = is_own ? 0 : radius_mm_ * kLeastAtCorner;
-  if (found < needed) note(passage.kind, passage.source, wall.source, found);
+  const double found = distance_between(way, *counted);
+  if (found < radius_mm_ - tolerance_mm_) note(passage.kind, passage.source, wall.source, found);
+}
+
+/// Of an open contour, what lies farther from its free end than the tool's radius: from where it first leaves that
+/// circle on.
+std::optional<PlanePiece> ContourCheck::counted_part(const Passage& passage, const Placed& wall) const {
+  if (is_closed_ || passage.element == 0) return wall.piece;
+  const bool is_entry = passage.kind == StageFault::Kind::entry_too_close;
+  const auto joint = [&](std::uint32_t steps) { return joints_[is_entry ? steps : elements_ - steps]; };
+  const std::uint32_t steps = is_entry ? wall.element - 1 : elements_ - wall.element;  // from the end to the wall
+  for (std::uint32_t step = 1; step <= steps; ++step)
+    if (size(joint(step) - joint(0)) >= radius_mm_) return wall.piece;
+  return part_outside(wall.piece, joint(0), radius_mm_);
 }
 
 void ContourCheck::note(StageFault::Kind kind, SourceBlock way, SourceBlock wall, double found_mm) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/path_stages.hpp"
@@ -15,16 +16,20 @@ namespace cnclab::geometry {
 /// `ContourOffset`); what only the whole chain shows is a way that returns beside an earlier wall, or a pocket that is
 /// too narrow between elements that are not neighbours.
 ///
-/// A finding is a way that comes closer to a contour element than the tool's radius less a micrometre. No finding are:
+/// A finding is a way that comes closer to a contour element than the tool's radius less `kRounded_mm`, and less
+/// what the two radii of an arc of the chain are apart (D-55): the contour is known no better. No finding are:
 ///   - elements whose ranges along the normal do not overlap (passes at another depth); entry and exit as far as they
 ///     lie above the element: what stands below is not cut (the normal points along the tool);
-///   - run-in and run-out: if one of the first three elements begins where one of the last three ends, the contour is
-///     what lies between; what comes before and behind is air to the ways (EX-080: N010 runs on past the corner where
-///     N006 began).
+///   - run-in and run-out: if one of the first three elements begins where one of the last three ends (within the arc
+///     tolerance, as in G-024), the contour is closed: it is what lies between; what comes before and behind is air to
+///     the ways (EX-080: N010 runs on past the corner where N006 began).
 ///
-/// An entry that begins on the wrong side of a closed contour has to cross a wall (COMP-007). The corner where the
-/// contour begins is touched by construction (D-70): there only what comes nearer than half the radius counts, and
-/// nothing against the first element of a contour that does not close; the same for the exit and the last one.
+/// Entry and exit keep the same distance. So an entry to a closed contour begins on the tool's side of its first wall,
+/// beyond the line on which the tool will run; nearer it would take the finished corner off, from the wrong side it
+/// would cross a wall (COMP-007). An open contour has no neighbour at its free ends: where it begins and ends it is led
+/// out of the workpiece, and a tool standing there may touch it. Of its first walls the entry, of its last ones the
+/// exit is given what lies within the tool's radius of that end, however many blocks it is written in, and nothing
+/// more.
 ///
 /// Memory: that of one chain, about 400 bytes per element. Time: n·log n for chains that stay near themselves.
 class ContourCheck {
@@ -65,7 +70,6 @@ class ContourCheck {
     StageFault::Kind kind{};
     SourceBlock source;
     Line line;
-    PlaneVector corner{};       ///< where the contour begins or ends
     std::uint32_t element = 0;  ///< the one that it leads to or comes from; 0: of another part
   };
 
@@ -76,6 +80,7 @@ class ContourCheck {
   void compare(const Placed& way, const Placed& wall);
   void look_round(const Passage& passage);
   void look_at(const Passage& passage, const Placed& wall);
+  [[nodiscard]] std::optional<PlanePiece> counted_part(const Passage& passage, const Placed& wall) const;
   void note(StageFault::Kind kind, SourceBlock way, SourceBlock wall, double found_mm);
 
   Plane plane_ = Plane::xy;
@@ -85,6 +90,7 @@ class ContourCheck {
   bool awaits_exit_ = false;  ///< a chain has ended, its walls are in the tree
   Passage entry_;
   std::uint32_t elements_ = 0;       ///< of the contour so far
+  double tolerance_mm_ = 0;          ///< what is no finding, see above
   std::vector<PlaneVector> joints_;  ///< where each element begins, and where the newest ends
   std::vector<Placed> contour_, ways_;
   std::vector<PlanePiece> pieces_;  ///< of the newest element

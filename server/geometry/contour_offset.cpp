@@ -13,7 +13,8 @@
 //   6. Another side or radius while one is on ends the contour as G40 does; the next line is an entry again, from where
 //      the tool stands. Repeating what is on changes nothing. Radius 0 is off (COMP-003).
 //   7. The manual's full circle is an arc ending one increment beside its start and a line back to it (G-024). Where
-//      the tool runs inside that corner, no joint would fit the tiny line: the arc takes it over and closes by itself.
+//      the tool runs inside that corner, no joint would fit the tiny line; inside the circle it would swing round the
+//      line's ends into the wall: the arc takes the line over and closes by itself.
 #include "geometry/contour_offset.hpp"
 
 #include <cmath>
@@ -24,15 +25,6 @@
 namespace cnclab::geometry {
 
 namespace {
-
-/// A longer line is none of rule 7, mm: the tolerance of arcs (D-55).
-constexpr double kClosingLine_mm = 0.020;
-
-std::unexpected<StageFault> fault_at(StageFault::Kind kind, const PathItem& item, double found_mm = 0,
-                                     double needed_mm = 0) {
-  return std::unexpected(StageFault{
-      .kind = kind, .block = item.source, .other = item.source, .found_mm = found_mm, .needed_mm = needed_mm});
-}
 
 bool is_on(const RadiusOffset& order) {
   return (order.side == OffsetSide::left || order.side == OffsetSide::right) && order.radius_mm > 0;
@@ -59,6 +51,8 @@ Point sum(const Point& point, const Point& shift) {
   return {point.x + shift.x, point.y + shift.y, point.z + shift.z, point.u};
 }
 
+std::array<double, 3> numbers_of(const Point& point) { return {point.x, point.y, point.z}; }
+
 const Point& from_of(const PathItem& item) {
   if (const auto* line = std::get_if<Line>(&item.what)) return line->from;
   return std::get<Arc>(item.what).from;
@@ -84,11 +78,31 @@ OffsetElement offset_of(const PathItem& item, const PlaneAxes& axes, double offs
   return offset_of(std::get<Arc>(item.what), offset);
 }
 
-/// Where the ends of a large arc all but meet, rounding must not make a tiny arc of it.
-void keep_sweep(Arc& arc, const PlaneAxes& axes, double intended_sweep) {
+/// Where an arc's ends all but meet, has rounding made a whole circle of a tiny arc, or a tiny arc of a circle?
+bool has_flipped(const Arc& arc, const PlaneAxes& axes, double intended_sweep) {
+  constexpr double kWidest_mm = 2 * kArcTolerance_mm;  // a seat moves either end by no more than the arc tolerance
   const PlaneVector gap = in_plane(arc.to, axes) - in_plane(arc.from, axes);
-  if (dot(gap, gap) > kSamePoint_mm * kSamePoint_mm || intended_sweep < std::numbers::pi) return;
-  if (std::abs(shape_of(arc).sweep) < std::numbers::pi) set_in_plane(arc.to, axes, in_plane(arc.from, axes));
+  return dot(gap, gap) <= kWidest_mm * kWidest_mm &&
+         std::abs(std::abs(shape_of(arc).sweep) - intended_sweep) > std::numbers::pi;
+}
+
+struct Ends {
+  PlaneVector from, to;
+};
+
+/// Lets a line or arc run from there to there. false: an arc of which nothing is left.
+bool set_ends(PathItem& way, const PlaneAxes& axes, const Ends& ends, double intended_extent) {
+  if (auto* line = std::get_if<Line>(&way.what)) {
+    set_in_plane(line->from, axes, ends.from);
+    set_in_plane(line->to, axes, ends.to);
+    return true;
+  }
+  auto& arc = std::get<Arc>(way.what);
+  set_in_plane(arc.from, axes, ends.from);
+  set_in_plane(arc.to, axes, ends.to);
+  if (!has_flipped(arc, axes, intended_extent)) return true;
+  set_in_plane(arc.to, axes, ends.from);
+  return intended_extent > std::numbers::pi;
 }
 
 }  // namespace
@@ -164,8 +178,9 @@ std::expected<void, StageFault> ContourOffset::begin_contour(const PathItem& ite
   const auto* arc = std::get_if<Arc>(&item.what);
   if (arc != nullptr && arc->plane != order_.plane) return fault_at(StageFault::Kind::no_intersection, item);
   const OffsetElement element = offset_of(item, axes_of(order_.plane), offset_);
-  if (element.is_arc() && element.smallest_offset_radius() <= kSamePoint_mm)
-    return fault_at(StageFault::Kind::inside_arc_too_small, item, element.start_radius, order_.radius_mm);
+  if (!element.has_room())
+    return fault_at(StageFault::Kind::inside_arc_too_small, item, std::min(element.start_radius, element.end_radius),
+                    order_.radius_mm);
   emit_entry(element.start, out, check);
   hold(item, element, {.kind = Joint::Kind::tangent, .point = element.start});
   return {};
@@ -181,7 +196,7 @@ std::expected<void, StageFault> ContourOffset::join(const PathItem& item, std::v
   const auto* arc = std::get_if<Arc>(&item.what);
   if (arc != nullptr && arc->plane != order_.plane) return fault_at(StageFault::Kind::no_intersection, item);
   const OffsetElement element = offset_of(item, axes_of(order_.plane), offset_);
-  if (element.is_arc() && element.smallest_offset_radius() <= kSamePoint_mm)
+  if (!element.has_room())
     return fault_at(StageFault::Kind::inside_arc_too_small, item, std::min(element.start_radius, element.end_radius),
                     order_.radius_mm);
   const auto joint = joint_of(element_, element);
@@ -207,10 +222,11 @@ bool ContourOffset::closes_circle(const PathItem& item) const {
   if (line == nullptr || !element_.is_arc()) return false;
   const PlaneAxes& axes = axes_of(order_.plane);
   const PlaneVector way = in_plane(line->to, axes) - in_plane(line->from, axes);
-  if (dot(way, way) > kClosingLine_mm * kClosingLine_mm) return false;
+  if (dot(way, way) > kArcTolerance_mm * kArcTolerance_mm) return false;
   if (size(in_plane(line->to, axes) - element_.from) > kSamePoint_mm) return false;
-  const bool is_inside = cross(element_.end_direction, way) * offset_ > 0;
-  return is_inside && element_.extent > std::numbers::pi;
+  const bool is_inside_corner = cross(element_.end_direction, way) * offset_ > 0;
+  const bool is_inside_circle = element_.turn * offset_ > 0;
+  return (is_inside_corner || is_inside_circle) && element_.extent > std::numbers::pi;
 }
 
 void ContourOffset::close_circle(const PathItem& item) {
@@ -263,6 +279,7 @@ void ContourOffset::leave_contour(const PathItem& item, std::vector<PathItem>& o
 void ContourOffset::leave(const PathItem& item, std::vector<PathItem>& out) {
   out.push_back(item);
   if (!is_shifted_) return;
+  out.back().shift_mm = numbers_of(shift_);
   if (auto* line = std::get_if<Line>(&out.back().what)) {
     line->from = sum(line->from, shift_);
     line->to = sum(line->to, shift_);
@@ -279,6 +296,7 @@ void ContourOffset::emit_entry(PlaneVector end, std::vector<PathItem>& out, Cont
   at_ = end;
   shift_ = {};
   set_shift(at_, to_of(held_));
+  out.back().shift_mm = numbers_of(shift_);
   emit_behind(out);
 }
 
@@ -291,20 +309,17 @@ void ContourOffset::emit_element(const Joint& joint, std::vector<PathItem>& out,
   out.push_back(held_);
   PathItem& way = out.back();
   const double left = element_.extent - start_.trim_after - joint.trim_before;
-  if (left * element_.way_per_extent() <= kSpent_mm) {
+  if (left * element_.way_per_extent() > kSpent_mm && set_ends(way, axes, {at_, joint.point}, left)) {
+    at_ = in_plane(to_of(way), axes);
+    if (check != nullptr) check->add_path(held_.source, element_of(way));
+  } else {
     Line still{.from = from_of(held_), .to = to_of(held_), .feed_mm_per_min = feed_of(held_)};
     set_in_plane(still.from, axes, at_);
     set_in_plane(still.to, axes, at_);
     way.what = still;
-  } else {
-    auto* arc = std::get_if<Arc>(&way.what);
-    set_in_plane(arc != nullptr ? arc->from : std::get<Line>(way.what).from, axes, at_);
-    set_in_plane(arc != nullptr ? arc->to : std::get<Line>(way.what).to, axes, joint.point);
-    if (arc != nullptr) keep_sweep(*arc, axes, left);
-    at_ = in_plane(to_of(way), axes);
-    if (check != nullptr) check->add_path(held_.source, element_of(way));
   }
   set_shift(at_, to_of(held_));
+  way.shift_mm = numbers_of(shift_);
   emit_behind(out);
 }
 
@@ -322,6 +337,8 @@ void ContourOffset::emit_corner(std::vector<PathItem>& out, ContourCheck* check)
   set_in_plane(arc.to, axes, element_.start);
   corner.what = arc;
   at_ = element_.start;
+  set_shift(at_, programmed);
+  corner.shift_mm = numbers_of(shift_);
   out.push_back(corner);
   if (check != nullptr) check->add_corner(held_.source, arc);
 }

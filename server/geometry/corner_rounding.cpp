@@ -21,12 +21,6 @@ namespace cnclab::geometry {
 
 namespace {
 
-std::unexpected<StageFault> fault_at(StageFault::Kind kind, const PathItem& item, double found_mm = 0,
-                                     double needed_mm = 0) {
-  return std::unexpected(StageFault{
-      .kind = kind, .block = item.source, .other = item.source, .found_mm = found_mm, .needed_mm = needed_mm});
-}
-
 /// The point of a line at a way in the plane from its end (`from_end`) or start.
 Point point_beside_corner(const Line& line, const PlaneAxes& axes, double way, bool from_end) {
   const double length = size(in_plane(line.to, axes) - in_plane(line.from, axes));

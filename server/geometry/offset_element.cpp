@@ -17,7 +17,12 @@
 //        u  = 2·d² / ((a + b)/2 - sin²h + cos h·√(a·b - sin²h)),   a = 1 - d·kA, b = 1 - d·kB
 //        wT = (kA - kB)/4·u·sin h      wN = (d + (kA + kB)/4·u·sin²h) / cos h, of the sign of d
 //      Nothing in it cancels when the bend goes to zero. Of two such points this is the one next to the corner.
-//   4. Where a radius changes along the arc (D-55), Newton's steps lead from there to the point on both spirals.
+//   4. Where a radius changes along the arc (D-55) P belongs to the circles at the corner: its distance from a spiral
+//      is off by the change as far as P lies from the corner. Where that is more than a trifle, Newton's steps lead to
+//      the point on both spirals. Ways that almost touch have none, or one far away: P stands then. It is off by no
+//      more than the two radii of the arc are apart, so by no more than the arc tolerance.
+//   5. A seat's way is the one point at its centre. The ways beside its neighbours end and begin there if they come
+//      within the arc tolerance of it; else an outer corner is rounded, and an inner one has no room for the tool.
 #include "geometry/offset_element.hpp"
 
 #include <cmath>
@@ -32,8 +37,6 @@ namespace {
 constexpr double kStraight = 1e-9;
 /// Below this cosine of half the bend a corner is a cusp.
 constexpr double kSharp = 0.1;
-/// Radii that differ by less make no spiral, mm.
-constexpr double kSameRadius_mm = 1e-9;
 
 /// The bend from the end of one element to the start of the next.
 struct Bend {
@@ -100,18 +103,26 @@ PlaceAndSlope way_at(const OffsetElement& element, double extent) {
   return {element.center + outward * radius, outward * growth + left_of(outward) * (element.turn * radius)};
 }
 
-bool is_spiral(const OffsetElement& element) {
-  return std::abs(element.start_radius - element.end_radius) > kSameRadius_mm;
+/// Rule 4: how far the joint is from the way beside a spiral, mm.
+double error_beside(const OffsetElement& element, double trim) {
+  return std::abs(element.end_radius - element.start_radius) * trim / element.extent;
+}
+
+/// Behind the end of one or ahead of the start of the other there is no way to meet on.
+bool is_beside_both(const OffsetElement& before, const OffsetElement& after, const Joint& joint) {
+  return joint.trim_before * before.way_per_extent() > -kSamePoint_mm &&
+         joint.trim_after * after.way_per_extent() > -kSamePoint_mm;
 }
 
 /// Rule 4. false: the ways do not meet near the starting point.
 bool refine(const OffsetElement& before, const OffsetElement& after, Joint& joint) {
-  constexpr int kMostSteps = 12;  // quadratic: four are enough unless the ways nearly touch
+  constexpr int kMostSteps = 12;          // quadratic: four are enough unless the ways nearly touch
+  constexpr double kSamePlace_mm = 1e-9;  // the ways' own arithmetic
   double along_before = before.extent - joint.trim_before, along_after = joint.trim_after;
   for (int step = 0; step < kMostSteps; ++step) {
     const PlaceAndSlope a = way_at(before, along_before), b = way_at(after, along_after);
     const PlaneVector gap = b.place - a.place;
-    if (size(gap) < kSameRadius_mm) {
+    if (size(gap) < kSamePlace_mm) {
       joint.point = a.place;
       joint.trim_before = before.extent - along_before;
       joint.trim_after = along_after;
@@ -133,6 +144,37 @@ Joint joint_of_lines(const OffsetElement& before, const OffsetElement& after, co
           .point = after.from + normals * (before.offset / (1 + bend.cosine)),
           .trim_before = trim,
           .trim_after = trim};
+}
+
+Joint outer_joint(const OffsetElement& before, const Bend& bend) {
+  return {.kind = Joint::Kind::outer,
+          .point = before.end,
+          .turn = bend.sine > 0 ? Turn::counterclockwise : Turn::clockwise};
+}
+
+/// Rule 5.
+std::expected<Joint, StageFault::Kind> joint_at_seat(const OffsetElement& before, const OffsetElement& after,
+                                                     const Bend& bend) {
+  const bool is_reached = bend.cosine > 0 && size(after.start - before.end) <= kArcTolerance_mm;
+  if (!is_reached) {
+    if (bend.sine * before.offset < 0) return outer_joint(before, bend);
+    return std::unexpected(StageFault::Kind::no_intersection);
+  }
+  Joint joint{.kind = Joint::Kind::tangent, .point = before.is_seat ? before.center : after.center};
+  const PlaneVector w = joint.point - after.from;
+  if (!before.is_seat) joint.trim_before = trim_to(w, before.end_direction, before.end_curvature(), before.offset, -1);
+  if (!after.is_seat) joint.trim_after = trim_to(w, after.start_direction, after.start_curvature(), after.offset, 1);
+  return joint;
+}
+
+/// An inside arc whose radii are the tool's, but for rounding.
+void seat_tool(OffsetElement& element) {
+  const double tool_radius = element.turn * element.offset;  // < 0: the tool is outside
+  const auto [smaller, larger] = std::minmax(element.start_radius, element.end_radius);
+  element.is_seat = smaller - kRounded_mm <= tool_radius && tool_radius <= larger + kRounded_mm;
+  if (!element.is_seat) return;
+  element.start_radius = element.end_radius = tool_radius;
+  element.start = element.end = element.center;
 }
 
 }  // namespace
@@ -166,6 +208,7 @@ OffsetElement offset_of(const Arc& arc, double offset) {
   element.end_direction = right_of(end_normal);
   element.start = element.from + start_normal * offset;
   element.end = element.to + end_normal * offset;
+  seat_tool(element);
   return element;
 }
 
@@ -174,10 +217,8 @@ std::expected<Joint, StageFault::Kind> joint_of(const OffsetElement& before, con
   const PlaneVector gap = after.start - before.end;
   if (bend.cosine > 0 && dot(gap, gap) <= kSamePoint_mm * kSamePoint_mm)
     return Joint{.kind = Joint::Kind::tangent, .point = before.end};
-  if (bend.sine * before.offset < 0)
-    return Joint{.kind = Joint::Kind::outer,
-                 .point = before.end,
-                 .turn = bend.sine > 0 ? Turn::counterclockwise : Turn::clockwise};
+  if (before.is_seat || after.is_seat) return joint_at_seat(before, after, bend);
+  if (bend.sine * before.offset < 0) return outer_joint(before, bend);
   if (!before.is_arc() && !after.is_arc()) return joint_of_lines(before, after, bend);
 
   const auto w = meeting_point(before, after, bend.sine);
@@ -188,13 +229,11 @@ std::expected<Joint, StageFault::Kind> joint_of(const OffsetElement& before, con
       .trim_before = trim_to(*w, before.end_direction, before.end_curvature(), before.offset, -1),
       .trim_after = trim_to(*w, after.start_direction, after.start_curvature(), after.offset, 1),
   };
-  if ((is_spiral(before) || is_spiral(after)) && !refine(before, after, joint))
-    return std::unexpected(StageFault::Kind::no_intersection);
-  // Behind the end of one or ahead of the start of the other there is no way to meet on.
-  const bool is_beside_both = joint.trim_before * before.way_per_extent() > -kSamePoint_mm &&
-                              joint.trim_after * after.way_per_extent() > -kSamePoint_mm;
-  if (!is_beside_both) return std::unexpected(StageFault::Kind::no_intersection);
-  return joint;
+  if (!is_beside_both(before, after, joint)) return std::unexpected(StageFault::Kind::no_intersection);
+  const double error = std::max(error_beside(before, joint.trim_before), error_beside(after, joint.trim_after));
+  if (error <= kExactJoint_mm) return joint;
+  Joint exact = joint;
+  return refine(before, after, exact) && is_beside_both(before, after, exact) ? exact : joint;
 }
 
 }  // namespace cnclab::geometry

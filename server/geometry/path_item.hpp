@@ -130,6 +130,8 @@ struct PathItem {
   bool exact_stop = false;      ///< G61..G66: ramp to F START/STOP, then creep (DEC-20)
   bool override_off = false;    ///< M23: the potentiometer does not act (taken as 100 %)
   std::uint8_t named_axes = 0;  ///< ways: axes that have a word in the block, X 1, Y 2, Z 4 (COMP-015, D-72)
+  /// What has passed the stages: path minus programmed position of X, Y, Z behind it.
+  std::array<double, 3> shift_mm{};
   std::variant<Line, Arc, Dwell, Spindle, Coolant, ToolChange, Output, Wait, SetActual, Reference, Halt, Signal,
                SpindleDigits, End, Mark, RadiusOffset, LengthOffset, CornerRounding>
       what = Mark{};

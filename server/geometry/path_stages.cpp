@@ -56,6 +56,7 @@ struct PathStages::Impl {
         out.resize(i);
         return shifted;
       }
+      for (std::size_t axis = 0; axis < shift_mm.size(); ++axis) out[i].shift_mm[axis] += axes.shift_mm()[axis];
     }
     const Point& plane = contour.shift();
     const std::array<double, 3>& axis = axes.shift_mm();

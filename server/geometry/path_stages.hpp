@@ -21,15 +21,16 @@ namespace cnclab::geometry {
 /// Why a contour cannot be followed (DEC-09, D-66, D-71), and the block to blame.
 struct StageFault {
   enum class Kind : std::uint8_t {
-    arc_at_entry_or_exit,    ///< an arc where only a line can go: entering, leaving (D-71), under G43/G44 (D-72)
+    arc_at_entry_or_exit,    ///< an arc where only a line can go: entering, leaving (D-71)
+    arc_under_axis_offset,   ///< an arc while G43/G44 shift, or have shifted, an axis of its plane (D-72)
     inside_arc_too_small,    ///< the tool does not fit into an arc
     no_intersection,         ///< the offset elements at an inside corner do not meet
-    runs_backwards,          ///< between its two corners an element would be run against its direction
+    runs_backwards,          ///< between its two corners, or shortened by G44, an element would be run backwards
     too_close,               ///< another element of the chain lies within the tool's radius (see `ContourCheck`)
     entry_too_close,         ///< the same on the way that enters the chain (COMP-007)
     exit_too_close,          ///< the same on the way that leaves it
     rounding_without_lines,  ///< G10 not between two lines of the plane
-    rounding_too_large,      ///< G10: the radius does not fit into one of the two lines
+    rounding_too_large,      ///< G10: the radius does not fit into one of the two lines; needed 0: a way back
   };
   Kind kind{};
   SourceBlock block;
@@ -39,6 +40,13 @@ struct StageFault {
   double found_mm = 0, needed_mm = 0;
   friend bool operator==(const StageFault&, const StageFault&) = default;
 };
+
+/// A fault of the item's own block.
+[[nodiscard]] inline std::unexpected<StageFault> fault_at(StageFault::Kind kind, const PathItem& item,
+                                                          double found_mm = 0, double needed_mm = 0) {
+  return std::unexpected(StageFault{
+      .kind = kind, .block = item.source, .other = item.source, .found_mm = found_mm, .needed_mm = needed_mm});
+}
 
 class ContourCheck;
 

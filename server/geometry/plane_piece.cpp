@@ -7,6 +7,7 @@
 #include "geometry/plane_piece.hpp"
 
 #include <limits>
+#include <numbers>
 #include <utility>
 
 namespace cnclab::geometry {
@@ -91,6 +92,15 @@ double arc_to_arc(const PlanePiece& a, const PlanePiece& b) {
   return nearest;
 }
 
+/// The point of a piece that is no circle, at 0 <= t <= 1.
+PlaneVector point_on(const PlanePiece& piece, double t) {
+  if (piece.radius == 0) return between(piece.from, piece.to, t);
+  const PlaneVector start = piece.from - piece.center, end = piece.to - piece.center;
+  double sweep = std::atan2(cross(start, end), dot(start, end));
+  if (sweep < 0) sweep += 2 * std::numbers::pi;
+  return piece.center + start * std::cos(sweep * t) + left_of(start) * std::sin(sweep * t);
+}
+
 PlanePiece piece_of(const Arc& arc, const PlaneAxes& axes, PlaneVector from, PlaneVector to, double radius) {
   PlanePiece piece{.from = from, .to = to, .center = in_plane(arc.center, axes), .radius = radius};
   if (arc.turn == Turn::clockwise) std::swap(piece.from, piece.to);
@@ -142,6 +152,22 @@ double distance_between(const PlanePiece& a, const PlanePiece& b) {
   for (const PlaneVector end : {a.from, a.to}) nearest = std::min(nearest, distance_to(end, b));
   for (const PlaneVector end : {b.from, b.to}) nearest = std::min(nearest, distance_to(end, a));
   return nearest;
+}
+
+std::optional<PlanePiece> part_outside(const PlanePiece& piece, PlaneVector center, double radius_mm) {
+  const auto is_inside = [&](PlaneVector point) { return size(point - center) < radius_mm; };
+  const bool begins_inside = is_inside(piece.from), ends_inside = is_inside(piece.to);
+  if (!begins_inside && !ends_inside) return piece;
+  if (begins_inside && ends_inside) return std::nullopt;
+  double inside = begins_inside ? 0 : 1, outside = 1 - inside;
+  constexpr int kHalvings = 50;  // of ten metres: below a picometre
+  for (int step = 0; step < kHalvings; ++step) {
+    const double middle = (inside + outside) / 2;
+    (is_inside(point_on(piece, middle)) ? inside : outside) = middle;
+  }
+  PlanePiece part = piece;
+  (begins_inside ? part.from : part.to) = point_on(piece, outside);
+  return part;
 }
 
 PieceBox box_of(const PlanePiece& piece) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "geometry/plane_vector.hpp"
@@ -23,6 +24,10 @@ void append_pieces(const PathElement& element, const PlaneAxes& axes, std::vecto
 
 /// The smallest distance between two pieces in the plane, mm; 0 where they cross.
 [[nodiscard]] double distance_between(const PlanePiece& a, const PlanePiece& b);
+
+/// What is left of a piece outside a circle: all, nothing, or from where it leaves the circle on. A piece that has both
+/// ends inside is nothing.
+[[nodiscard]] std::optional<PlanePiece> part_outside(const PlanePiece& piece, PlaneVector center, double radius_mm);
 
 /// A box in the plane and along its normal.
 struct PieceBox {

@@ -10,6 +10,8 @@
 
 namespace cnclab::lab {
 
+inline constexpr std::int64_t kSecond_ns = 1'000'000'000;
+
 struct Clock {
   std::function<std::int64_t()> monotonic_ns;
   std::function<std::int64_t()> unix_ms;

@@ -58,8 +58,8 @@ void Desk::set_workpiece(const machine::WorkpieceSpec& spec) {
   control.set_workpiece(spec);
 }
 
-bool Desk::awaits_machine() const {
-  return control.awaits_machine() || (stopping && stopping->channel->snapshot().tick < stopping->heeded_at_tick);
+bool Desk::awaits_effect() const {
+  return control.awaits_effect() || (stopping && stopping->channel->snapshot().tick < stopping->heeded_at_tick);
 }
 
 std::uint64_t Desk::handled() const {

@@ -114,7 +114,7 @@ struct Desk {
   panel::Indication indicated;  ///< of the machine at rest, when it was looked at last
 
   /// The machine has yet to take what the newest input ordered.
-  [[nodiscard]] bool awaits_machine() const;
+  [[nodiscard]] bool awaits_effect() const;
   /// Every input up to this number has had its effect.
   [[nodiscard]] std::uint64_t handled() const;
 

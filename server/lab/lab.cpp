@@ -16,7 +16,6 @@ namespace cnclab::lab {
 
 namespace {
 
-constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr std::int64_t kLoginDeadline_ns = 10 * kSecond_ns;  ///< SEC-005
 constexpr std::int64_t kSilence_ns = 5 * kSecond_ns;         ///< SEAT-004
 constexpr std::size_t kMostUnknown = 64;                     ///< connections that are not logged in (SEC-005)
@@ -50,6 +49,10 @@ Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& tic
   beats_.advance(clock_.monotonic_ns());
   keep_epoch();
   journal_.write("server_start", "nobody has control, position unreferenced");  // AUTH-012
+  if (machine_.damaged_data().empty()) return;
+  const std::string damage = damage_sentence(machine_.damaged_data(), language::Tongue::english);
+  spdlog::error("{}; nobody is given the machine until then", damage);
+  journal_.write("checksum", damage);
 }
 
 Lab::~Lab() {
@@ -132,7 +135,7 @@ void Lab::poll() {
   static_cast<void>(decide(Polled{}, configuration_.tongue));
   settle_machine_data();
   for (const DeskPtr& desk : seats_.list()) {
-    const bool is_settled = !desk->awaits_machine();  // asked first: the control follows what is no older
+    const bool is_settled = !desk->awaits_effect();  // asked first: the control follows what is no older
     if (panel::Outcome followed = desk->control.poll(now(*desk)); followed.is_anything())
       outcome(desk, std::move(followed), 0);
     if (is_settled) heed_switched(desk);

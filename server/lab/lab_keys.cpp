@@ -105,6 +105,7 @@ void Lab::stop_pressed(const DeskPtr& desk, std::uint64_t number) {
 }
 
 void Lab::halt_key_pressed(const VisitPtr& visit, const DeskPtr& desk) {
+  desk->control.note_labs_key();
   const auto tongue = tongue_of(desk->person);
   // Who types at a console signs as its F12 does: at no station, and not as the student.
   const HaltPressed press{visit->person.id, visit->person.name, visit->desk ? desk->station : 0};
@@ -138,10 +139,12 @@ void Lab::act(const DeskPtr& desk, const Input& input) {
     return;
   }
   if (desk->notice_until_ns != 0) note(*desk, "");
+  if (contains(input, Key::RESET)) desk->labor.reset();  // it acts in every state, the lab's menu is none (DEC-39)
   if (input.keys.size() > 1) return outcome(desk, desk->control.press_chord(input.keys, now(*desk)), input.number);
   const Key key = input.keys.front();
-  if (takes_for_menu(*desk, key)) return labor_key(desk, key);
-  if (key == Key::RESET) desk->labor.reset();
+  const bool is_for_menu = takes_for_menu(*desk, key);
+  if (is_for_menu || key == Key::MELDUNG) desk->control.note_labs_key();
+  if (is_for_menu) return labor_key(desk, key);
   if (key == Key::MELDUNG) {
     seats_.turn_hand(desk);
     return everybody_changed();
@@ -190,12 +193,12 @@ void Lab::outcome(const DeskPtr& desk, panel::Outcome outcome, std::uint64_t num
     note(*desk, say(tongue, "RESET hat die Maschine abgegeben.", "RESET has given the machine back."));
   }
   if (outcome.remote_start) judge_remote_start(desk, *outcome.remote_start);
-  if (!desk->switching && desk->awaits_machine()) desk->switching = number;
+  if (!desk->switching && desk->awaits_effect()) desk->switching = number;
   record_run(desk);  // a run that begins now is recorded with the versions that the store has now
 }
 
 void Lab::heed_switched(const DeskPtr& desk) {
-  if (!desk->switching || desk->awaits_machine()) return;
+  if (!desk->switching || desk->awaits_effect()) return;
   desk->switching.reset();
   desk->stopping.reset();
   desk->is_dirty = true;

@@ -3,10 +3,11 @@
 
 #include <algorithm>
 
+#include "lab/clock.hpp"
+
 namespace cnclab::lab {
 
 namespace {
-constexpr std::int64_t kSecond_ns = 1'000'000'000;
 std::string name_key(const std::string& name) { return "n" + name; }
 std::string address_key(const std::string& address) { return "a" + address.substr(0, address.rfind(':')); }
 }  // namespace

@@ -7,6 +7,8 @@
 #include "language/block_reader.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 
 #include "language/value_text.hpp"
 
@@ -159,12 +161,24 @@ bool BlockReader::read_machine_data_mark() {
   return true;
 }
 
+/// The plane is the one that leaves the fewest words over; the first of these is to blame.
+bool BlockReader::refuse_foreign_word(const Block& block, AddressSet found) {
+  constexpr std::array kPlanes{Plane::xy, Plane::xz, Plane::yz};
+  const auto foreign = [&](Plane plane) {
+    const BlockForm* form = find_form(block.function, plane, {});
+    return form == nullptr ? found : static_cast<AddressSet>(found & ~addresses_of(*form));
+  };
+  const Plane plane = *std::ranges::min_element(kPlanes, {}, [&](Plane it) { return std::popcount(foreign(it)); });
+  const auto word =
+      std::ranges::find_if(block.words, [&](const Word& it) { return (foreign(plane) & bit_of(it.address)) != 0; });
+  return fail(ErrorCode::word_not_allowed, letter(word->address), "", letters_of(block.function, plane));
+}
+
 bool BlockReader::finish(Block& block, AddressSet found) {
   is_at_end_ = true;
   const Plane plane = plane_of_words(block.function, found, Plane::xy);
   const BlockForm& form = *find_form(block.function, plane, {});
-  if ((found & ~addresses_of(form)) != 0)
-    return fail(ErrorCode::word_not_allowed, letter(block.words.back().address), "", letters_of(block.function, plane));
+  if ((found & ~addresses_of(form)) != 0) return refuse_foreign_word(block, found);
   // A jump without its target cannot be told from the next block's beginning, so it is no readable block.
   for (const Address address : {Address::P, Address::N})
     if ((addresses_of(form) & ~found & bit_of(address)) != 0) return fail(ErrorCode::word_missing, letter(address));

@@ -70,6 +70,8 @@ class BlockReader {
   [[nodiscard]] bool take_number(Word& word, std::int64_t value);
   [[nodiscard]] bool find_program();
   [[nodiscard]] bool find_start(bool is_tool);
+  /// None of the planes has all the words of the block.
+  [[nodiscard]] bool refuse_foreign_word(const Block& block, AddressSet found);
   [[nodiscard]] bool finish(Block& block, AddressSet found);
   [[nodiscard]] Number read_number();
   [[nodiscard]] bool starts_function() const { return cursor_.current() == 'G' || cursor_.current() == '\\'; }

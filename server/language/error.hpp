@@ -19,13 +19,16 @@ enum class ErrorCode : std::uint8_t {
   program_missing,          ///< Programm fehlt
   block_missing,            ///< Satz fehlt: jump target, start block, SATZ SUCHEN
   memory_full,              ///< Speicher voll (DEC-07)
-  nesting_too_deep,         ///< Zu tief verschachtelt: 16 levels (D-58)
-  calls_itself,             ///< a subprogram that is still active is called again (recursion)
+  nesting_too_deep,         ///< Zu tief verschachtelt: 16 levels, of whatever programs (D-58)
   feed_missing,             ///< F fehlt: a way or arc while F0000 is active (D-59)
   plane_wrong,              ///< Falsche Ebene (D-54, D-69, DEC-64)
   arc_wrong,                ///< Kreis falsch (D-55, D-65, D-66)
+  radius_too_small,         ///< the same: R of G05, G06 is less than half the way (D-66)
+  arc_without_way,          ///< the same: G05, G06 end where they begin
   compensation_impossible,  ///< Korrektur nicht moeglich: not while a compensation is active (D-64)
   arc_at_entry_or_exit,     ///< the same: a compensated contour is entered and left on lines (D-71)
+  offset_not_left,          ///< the same: compensation is off, the tool still stands in its offset (D-64)
+  arc_under_axis_offset,    ///< the same: an arc where G43 or G44 shift an axis of its plane (D-72)
   inside_arc_too_small,     ///< the same: the tool does not fit into an inside arc (D-71)
   no_intersection,          ///< the same: the paths of two elements do not meet at an inside corner (D-71)
   runs_backwards,           ///< the same: an element would be run against its direction (DEC-09)
@@ -35,7 +38,9 @@ enum class ErrorCode : std::uint8_t {
   contour_unchecked,        ///< the same: on the lab machine a contour that depends on Input 1 (DEC-09)
   rounding_without_lines,   ///< Kreis falsch: G10 not between two lines of the plane (D-66)
   rounding_too_large,       ///< Kreis falsch: the radius of G10 does not fit into both lines (D-66)
+  rounding_way_back,        ///< the same: the second line leads back over the first
   scale_not_allowed,        ///< Skalenfaktor unzulaessig (D-68)
+  scale_unequal,            ///< the same: an arc while the factors of its plane differ in size
   m_unknown,                ///< M nicht vorgesehen (D-51)
   cycle_value_wrong,        ///< Zykluswert falsch (D-85, D-89)
   parameter_read_only,      ///< Parameter nur lesbar (D-93)
@@ -52,10 +57,12 @@ enum class ErrorCode : std::uint8_t {
   text_malformed,           ///< a character or number that is no word (tape, files)
   machine_datum_wrong,      ///< a recording's machine data: not N03=500000 (DEC-62)
   lower_case,               ///< a file with small letters outside comments (DEC-30)
+  helix_too_steep,          ///< G07, G08: Z has as many steps as X and Y together, or more (D-65)
+  plane_locked,             ///< G17 to G19 under G41 to G44, G46 (D-69)
 };
 
 /// The last of the codes, so that a table can be checked for completeness.
-inline constexpr ErrorCode kLastErrorCode = ErrorCode::lower_case;
+inline constexpr ErrorCode kLastErrorCode = ErrorCode::plane_locked;
 
 /// One error with its place. `word` is the address letter, 0 where no word is to blame.
 struct Error {

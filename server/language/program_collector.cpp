@@ -22,6 +22,8 @@ void ProgramCollector::close() {
     if (is_reserved && tape_.notices.size() < kMostErrors)
       tape_.notices.push_back(explain({.code = ErrorCode::reserved_for_cycles, .program = number_}, tongue_));
     if (!is_reserved && !is_bad_) keep();
+    if (!is_reserved && is_bad_ && tape_.faulty_programs.size() < kMostErrors)
+      tape_.faulty_programs.push_back(sorted());
   }
   is_open_ = is_bad_ = is_known_orphan_ = false;
   blocks_.clear();
@@ -110,6 +112,7 @@ Tape ProgramCollector::finish(bool has_lower_case) {
   close();
   if (has_lower_case) {
     tape_.programs.clear();
+    tape_.faulty_programs.clear();
     tape_.machine_data.clear();
   }
   tape_.errors = std::move(errors_.errors);

@@ -63,6 +63,8 @@ struct ReadProgram {
 /// What a tape held: all programs that could be read, and every error (not only the first).
 struct Tape {
   std::vector<ReadProgram> programs;
+  /// What could be read of programs with an error, for those who look for more of them: the blocks without one.
+  std::vector<ReadProgram> faulty_programs;
   std::vector<MachineDatum> machine_data;  ///< of a whole memory's recording; else none
   std::vector<Error> errors;
   std::vector<std::string> notices;  ///< e.g. P9981 left out (DEC-06)

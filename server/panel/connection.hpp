@@ -10,6 +10,9 @@
 
 namespace cnclab::panel {
 
+/// A command given now is in the snapshot two ticks later: the tick that runs may have read the ring already.
+inline constexpr std::uint64_t kAnswerTicks = 2;
+
 struct Connection {
   std::shared_ptr<machine::Channel> channel;
   machine::Epoch epoch{};

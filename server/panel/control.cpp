@@ -49,6 +49,7 @@ std::string hint_for(Key key, Place place, const Settings& settings) {
   if (place == Place::automat_running) return text(Text::hint_running, tongue, {label});
   if (place == Place::automat_waiting || place == Place::input_waiting)
     return text(Text::hint_waiting, tongue, {label});
+  if (place == Place::memory_running) return text(Text::hint_memory_test, tongue, {label});
   if (is_transfer(place)) return text(Text::hint_transfer, tongue, {label});
   if (is_start_state(place)) return text(Text::hint_moving, tongue, {label});
   if (place != Place::menu && is_opening(effect_of(Place::menu, key, settings.vocabulary)))
@@ -64,8 +65,17 @@ bool is_labs_own(Key key) {
 void tell_damage(const std::optional<geometry::SourceBlock>& before, const std::optional<geometry::SourceBlock>& now,
                  ControlState& state) {
   if (!now || now == before || !state.message.monitor.empty()) return;
-  state.complain(
-      language::Error{.code = language::ErrorCode::checksum_wrong, .program = now->program, .block = now->block});
+  state.complain(language::Error{.code = language::ErrorCode::checksum_wrong,
+                                 .program = now->program,
+                                 .block = now->block,
+                                 .in_tool_table = now->program == language::kToolTable});
+}
+
+/// AUTOMAT and GRAFIK each have an EINZELSATZ of their own; the lamp shows that of the mode that is active.
+bool is_single_block(const ActiveMode& mode) {
+  if (const auto* automat = std::get_if<AutomatMode>(&mode)) return automat->single_block;
+  const auto* graphics = std::get_if<GraphicsMode>(&mode);
+  return graphics != nullptr && graphics->single_block;
 }
 
 constexpr int kBeeperDatum = 22;
@@ -131,7 +141,10 @@ Outcome Control::press(Key key, const Now& now) {
   Outcome outcome;
   ControlState& state = impl_->state;
   state.now = now;
-  if (is_labs_own(key)) return outcome;
+  if (is_labs_own(key)) {
+    note_labs_key();
+    return outcome;
+  }
   if (key == Key::STOP) impl_->stop_machine();
   state.hint.clear();
   state.is_switching = false;
@@ -146,6 +159,7 @@ Outcome Control::press(Key key, const Now& now) {
   }
   const Place place = impl_->place();
   const Effect effect = effect_of(place, key, state.settings.vocabulary);
+  disarm(impl_->active, effect);
   const auto damaged_before = damaged_block(impl_->active, state);
   if (effect == Effect::ignored || !acts(impl_->active, effect)) {
     // While an axis is driven off its switch row 18 says so already.
@@ -165,6 +179,8 @@ Outcome Control::press(Key key, const Now& now) {
   return outcome;
 }
 
+void Control::note_labs_key() { disarm(impl_->active, Effect::ignored); }
+
 Outcome Control::press_chord(const std::vector<Key>& keys, const Now& now) {
   Outcome outcome;
   if (keys.size() == 1) return press(keys.front(), now);
@@ -175,6 +191,7 @@ Outcome Control::press_chord(const std::vector<Key>& keys, const Now& now) {
   if (impl_->state.storing) return outcome;
   impl_->state.now = now;
   impl_->state.hint.clear();
+  disarm(impl_->active, Effect::ignored);
   if (holds({Key::DOWN, Key::RESET})) {
     impl_->reset(outcome);
     impl_->state.initialise();  // cold start: the working state goes too, the memory stays (ERR-040, D-121)
@@ -226,9 +243,12 @@ Outcome Control::poll(const Now& now) {
   Outcome outcome;
   ControlState& state = impl_->state;
   state.now = now;
+  state.clock.run_on(now);
   const Place place = impl_->place();
   const std::string hint = state.hint;
-  if (const auto turn = state.machine().spindle; turn != geometry::SpindleTurn::off) state.last_turn = turn;
+  const bool has_taken_orders = state.connection.channel && state.connection.channel->is_settled();
+  if (const auto turn = state.machine().spindle; has_taken_orders && turn != geometry::SpindleTurn::off)
+    state.last_turn = turn;  // of a spindle that RESET has yet to stop it is no more than that
   const bool was_storing = state.storing.has_value();
   if (state.recorder && !std::holds_alternative<ExternalDataMode>(impl_->active))
     static_cast<void>(state.recorder->advance(impl_->time()));  // winding goes on in every mode
@@ -261,9 +281,8 @@ Screen Control::draw(const Now& now, const SideView& side) const {
   panel::draw(impl_->active, state, monitor);
   monitor.write(Monitor::kMessageRow, state.message.column, state.message.monitor);
   const machine::Snapshot machine = state.machine();
-  const auto* automat = std::get_if<AutomatMode>(&impl_->active);
   const Lamps lamps{.start = machine.started || is_running(),
-                    .single_block = automat != nullptr && automat->single_block,
+                    .single_block = is_single_block(impl_->active),
                     .coolant = machine.coolant,
                     .limit = std::ranges::find(machine.limit, true) != machine.limit.end(),
                     .is_referenced = machine.is_referenced,
@@ -273,67 +292,6 @@ Screen Control::draw(const Now& now, const SideView& side) const {
   draw_bottom(canvas, {side.bar, impl_->sentence(side), lists}, impl_->place(), state.settings);
   return canvas.screen();
 }
-
-Situation Control::situation() const {
-  Situation situation{.mode = mode(), .started = is_running(), .alarm = !impl_->state.message.monitor.empty()};
-  if (situation.mode == Mode::hand || situation.mode == Mode::teach_in)
-    situation.alarm = situation.alarm || std::ranges::count(impl_->state.machine().limit, true) > 0;
-  if (const auto* editor = std::get_if<EditorMode>(&impl_->active)) {
-    situation.program = editor->number();
-    situation.block = editor->is_open ? static_cast<std::uint16_t>(editor->line.number()) : std::uint16_t{0};
-  }
-  if (const auto* teach_in = std::get_if<TeachInMode>(&impl_->active)) {
-    situation.program = teach_in->number();
-    situation.block = teach_in->is_open ? static_cast<std::uint16_t>(teach_in->line.number()) : std::uint16_t{0};
-  }
-  // What a START would release may change under the student's eyes: a computer sends another program.
-  const auto* external = std::get_if<ExternalDataMode>(&impl_->active);
-  if (external != nullptr && impl_->place() == Place::external_polled) situation.program = impl_->state.editor_program;
-  if (const auto* automat = std::get_if<AutomatMode>(&impl_->active)) {
-    const geometry::SourceBlock current = current_block(*automat, impl_->state);
-    situation.program = current.program;
-    situation.block = current.block;
-  }
-  return situation;
-}
-
-Mode Control::mode() const { return mode_of(impl_->active); }
-
-std::shared_ptr<const RunOrder> Control::run_order() const { return impl_->state.run.order(); }
-
-bool Control::is_running() const { return is_start_state(impl_->place()); }
-
-bool Control::is_busy() const {
-  const auto* graphics = std::get_if<GraphicsMode>(&impl_->active);
-  const bool plays = graphics != nullptr &&
-                     (graphics->is_playing || graphics->is_stale || (graphics->test && graphics->test->has_news()));
-  return plays || is_running() || recorder_runs() || is_transfer(impl_->place());
-}
-
-bool Control::awaits_machine() const {
-  const ControlState& state = impl_->state;
-  const bool is_switching = state.is_switching && state.connection.channel && !state.connection.channel->is_settled();
-  return is_switching || state.run.awaits_answer();
-}
-
-Indication Control::indication() const {
-  const machine::Snapshot machine = impl_->state.machine();
-  return {.istwert_mm = machine.istwert_mm,
-          .limit = machine.limit,
-          .spindle = machine.spindle,
-          .coolant = machine.coolant,
-          .is_referenced = machine.is_referenced,
-          .state = machine.state};
-}
-
-int Control::take_beeps() {
-  const std::uint64_t signals = impl_->state.machine().signals;
-  const int heard = static_cast<int>(std::min<std::uint64_t>(signals - std::min(signals, impl_->signals_heard), 100));
-  impl_->signals_heard = signals;
-  return std::exchange(impl_->state.beeps, 0) + heard;
-}
-
-bool Control::alarm_tone() const { return impl_->state.run.sounds_alarm(); }
 
 void Control::set_ram_fault(bool is_faulty) { impl_->state.is_ram_faulty = is_faulty; }
 bool Control::has_ram_fault() const { return impl_->state.is_ram_faulty; }

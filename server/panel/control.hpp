@@ -128,6 +128,7 @@ struct Indication {
   geometry::SpindleTurn spindle{};
   bool coolant = false, is_referenced = false;
   machine::MotionState state{};
+  std::uint64_t pictures = 0;  ///< of GRAFIK, whose test run rests: the picture that a key has asked for came behind it
   friend bool operator==(const Indication&, const Indication&) = default;
 };
 
@@ -159,6 +160,9 @@ class Control {
 
   /// A key went down. While a store is pending only STOP is accepted; the caller queues the others.
   Outcome press(Key key, const Now& now);
+  /// A key that is the lab's alone (MELDUNG, LABOR, MASCHINE HALT, keys of the lab's menu): it comes between what waits
+  /// to be confirmed and the key that would confirm it.
+  void note_labs_key();
   /// Keys pressed together (→+RESET, ↓+RESET, 3+6+9).
   Outcome press_chord(const std::vector<Key>& keys, const Now& now);
   void release(Key key, const Now& now);
@@ -220,9 +224,10 @@ class Control {
   [[nodiscard]] bool is_running() const;  ///< START state
   /// Does the screen change without a key: a run, a test run of GRAFIK, a transfer, the recorder?
   [[nodiscard]] bool is_busy() const;
-  /// The newest key has given the machine an order that it has not taken, some milliseconds long: what the screen shows
-  /// is not the key's effect before. Further keys wait until then; STOP does not.
-  [[nodiscard]] bool awaits_machine() const;
+  /// The newest key has given the machine an order that it has not taken, some milliseconds long, or asked GRAFIK for a
+  /// picture that is still being drawn: what the screen shows is not the key's effect before. Further keys wait until
+  /// then; STOP does not.
+  [[nodiscard]] bool awaits_effect() const;
   [[nodiscard]] Indication indication() const;
   /// What the run that is present was begun with, also while it rests; nullptr where there is none (STO-007).
   [[nodiscard]] std::shared_ptr<const RunOrder> run_order() const;

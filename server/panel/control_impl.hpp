@@ -29,14 +29,8 @@ struct Control::Impl {
     change_mode(Mode::menu, outcome);
     outcome.was_reset = true;
     state.message = {};
-    state.modal = {};
-    state.compensation_mm = {};
-    if (!state.connection.channel) return;
-    machine::Channel& channel = *state.connection.channel;
-    channel.stop(machine::StopCause::operator_stop);
-    state.is_switching = true;
-    (void)channel.command(machine::SwitchSpindle{state.connection.epoch, {}});
-    (void)channel.command(machine::SwitchCoolant{state.connection.epoch, false});
+    if (state.connection.channel) state.connection.channel->stop(machine::StopCause::operator_stop);
+    state.reset_modal_state();
   }
 
   /// Modes that must not be entered while the lab's machine is connected (DEC-39).

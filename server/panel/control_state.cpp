@@ -49,19 +49,32 @@ EraseMemory ControlState::whole_memory() const {
   return request;
 }
 
-void ControlState::initialise() {
+void ControlState::reset_modal_state() {
   modal = {};
-  parameters = {};
   compensation_mm = {};
+  last_turn = geometry::SpindleTurn::clockwise;  // D-12
+  if (!connection.channel) return;
+  is_switching = true;
+  (void)connection.channel->command(machine::SwitchSpindle{connection.epoch, {}});
+  (void)connection.channel->command(machine::SwitchCoolant{connection.epoch, false});
+}
+
+void ControlState::initialise() {
+  (void)apply_data();  // where the machine does not stand still, the next START tries again
+  reset_modal_state();
+  parameters = {};
   taught = {};
   editor_program = automat_program = 1;
-  (void)apply_data();  // where the machine does not stand still, the next START tries again
 }
 
 void ControlState::take_over(const RunEnd& end) {
-  modal = end.modal;
-  parameters = end.parameters;
-  compensation_mm = end.compensation_mm;
+  modal = end.legacy.modal;
+  parameters = end.legacy.parameters;
+  compensation_mm = end.legacy.compensation_mm;
+}
+
+bool ControlState::awaits_potentiometer() const {
+  return override_percent == 0 && run.is_present() && !run.modal().potentiometer_off && machine().speed_mm_per_min == 0;
 }
 
 language::Plane ControlState::plane() const { return static_cast<language::Plane>(modal.plane); }

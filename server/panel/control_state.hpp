@@ -25,10 +25,15 @@ struct Message {
   std::string sentence;
 };
 
+/// X, Y, Z in whole steps of the connected machine, counted from where its channel began (run/machine_place.hpp).
+struct MachinePlace {
+  std::array<std::int64_t, 3> steps{};
+};
+
 /// Where TEACH IN stopped last: continuing that program goes on from there (DEC-61).
 struct TaughtPosition {
   std::uint16_t program = 0;  ///< 0: none
-  std::array<std::int64_t, 3> position_um{};
+  MachinePlace place;
 };
 
 struct ControlState {
@@ -63,7 +68,7 @@ struct ControlState {
   std::optional<PutFiles> picture;                 ///< to be handed out, nobody awaits an answer
   SerialPort port;
   int beeps = 0;
-  bool is_switching = false;       ///< the newest key has ordered a switch or a counter: see Control::awaits_machine
+  bool is_switching = false;       ///< the newest key has ordered a switch or a counter: see Control::awaits_effect
   bool is_zero_confirmed = false;  ///< under the present lease (DEC-27)
   PanelClock clock;
   bool is_ram_faulty = false;     ///< injected: the memory test finds it (ERR-034)
@@ -85,10 +90,15 @@ struct ControlState {
   [[nodiscard]] language::EntryLimits entry_limits() const;
   /// The request that erases everything, machine data included.
   [[nodiscard]] EraseMemory whole_memory() const;
-  /// As after switching on (MOD-078): modal state, parameters and offered numbers; the axes' counters stay.
+  /// As after switching on (MOD-078): modal state, parameters and offered numbers, spindle and coolant off; the axes'
+  /// counters stay.
   void initialise();
+  /// The modal state of switching on, and the machine's outputs with it: its M12 is what they are.
+  void reset_modal_state();
   /// Takes over what a run has left behind.
   void take_over(const RunEnd& end);
+  /// Does a way wait for nothing but the potentiometer (DEC-40)?
+  [[nodiscard]] bool awaits_potentiometer() const;
   [[nodiscard]] language::Plane plane() const;      ///< of the modal state
   [[nodiscard]] machine::Snapshot machine() const;  ///< all at rest where none is connected
 };

@@ -50,7 +50,13 @@ WallClock wall_of(std::int64_t seconds, bool with_date) {
 std::int64_t PanelClock::seconds_at(const Now& now) const {
   constexpr std::int64_t kNsPerSecond = 1'000'000'000;
   if (has_date(now.wall)) return seconds_of(now.wall) + offset_s_;
-  return own_ ? own_->set_to_s + (now.monotonic_ns - own_->set_ns) / kNsPerSecond : seconds_of(now.wall);
+  if (!own_) return seconds_of(now.wall);
+  return own_->set_to_s + (own_->set_ns ? (now.monotonic_ns - *own_->set_ns) / kNsPerSecond : 0);
+}
+
+std::optional<PanelClock::Standing> PanelClock::standing(const Now& now) const {
+  if (!own_ || has_date(now.wall)) return std::nullopt;
+  return Standing{seconds_at(now), own_->has_date};
 }
 
 WallClock PanelClock::at(const Now& now) const {

@@ -2,13 +2,16 @@
 #include "panel/state_json.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "panel/json_readers.hpp"
+#include "panel/key_table.hpp"
 #include "panel/modal_json.hpp"
 #include "panel/modes/editor_json.hpp"
 #include "panel/modes/hand_json.hpp"
+#include "program/rebuild_modal.hpp"
 
 namespace cnclab::panel {
 
@@ -37,6 +40,11 @@ std::optional<std::array<double, 3>> lengths_in(const Json& json, const char* na
   return mm;
 }
 
+KeptIstwert in_um(const std::array<double, 3>& mm) {
+  constexpr double kUmPerMm = 1000;
+  return {std::llround(mm[0] * kUmPerMm), std::llround(mm[1] * kUmPerMm), std::llround(mm[2] * kUmPerMm)};
+}
+
 Json automat_json(const AutomatMode& mode) {
   return {{"phase", static_cast<int>(mode.phase)},
           {"program", field_json(mode.program)},
@@ -63,6 +71,47 @@ EraseMemoryMode erase_memory_of(const Json& json) {
   return mode;
 }
 
+GraphicsMode graphics_of(const Json& json, const ControlState& state) {
+  GraphicsMode mode = open_graphics(state);
+  read_field(json, "program", mode.program);
+  return mode;
+}
+
+/// The datum that stood there, with what was typed of it.
+MachineDataMode machine_data_of(const Json& json, const ControlState& state) {
+  constexpr int kTime = 1, kDate = 2;
+  MachineDataMode mode = open_machine_data(state);
+  const auto number = static_cast<int>(integer_in(json, "number", 1, 99, kTime));
+  if (has_datum(number)) show_datum(mode, state, number);
+  DigitField typed = mode.value;
+  read_field(json, "value", typed);
+  if (typed.typed > 0)
+    mode.value = typed;
+  else
+    mode.awaits_clock = mode.number == kTime || mode.number == kDate;
+  return mode;
+}
+
+/// Has the control a key that opens the mode? The model may have been changed since (MODEL-003).
+bool is_there(Mode mode, const ControlState& state) {
+  const bool opens = effect_of(Place::menu, Key::GRAFIK, state.settings.vocabulary) == Effect::open_graphics;
+  return mode != Mode::graphics || opens;
+}
+
+/// The state may be one of the other model: what the control has no function for is over, and where it has no
+/// compensation nothing is left to be led back (MODEL-007, MODEL-009, MODEL-010).
+void fit_to_model(ControlState& state) {
+  state.modal = program::within(state.modal, state.settings.vocabulary);
+  if (state.settings.vocabulary.model == language::Model::cnc3250) state.compensation_mm = {};
+}
+
+void read_clock(const Json& json, PanelClock& clock) {
+  clock.set_offset_s(integer_in(json, "clock_offset", -kLargestOffset_s, kLargestOffset_s, 0));
+  const Json* standing = member_of(json, "clock");
+  if (standing == nullptr || !standing->is_object()) return;
+  clock.stand_at({integer_in(*standing, "seconds", 0, kLargestOffset_s, 0), flag_in(*standing, "date")});
+}
+
 std::optional<Mode> mode_named(const Json& json) {
   const Json* name = member_of(json, "mode");
   if (name == nullptr || !name->is_string()) return std::nullopt;
@@ -71,7 +120,7 @@ std::optional<Mode> mode_named(const Json& json) {
   return std::nullopt;
 }
 
-ActiveMode active_mode_of(Mode mode, const Json& json, ControlState& state) {
+ActiveMode active_mode_of(Mode mode, const Json& json, const KeptIstwert& istwert_um, ControlState& state) {
   static const Json kNothing = Json::object();
   const auto part = [&](const char* name) -> const Json& {
     const Json* found = member_of(json, name);
@@ -82,33 +131,43 @@ ActiveMode active_mode_of(Mode mode, const Json& json, ControlState& state) {
   if (mode == Mode::erase_memory) return erase_memory_of(part("erase_memory"));
   if (mode == Mode::hand) return hand_of(part("hand"));
   if (mode == Mode::hand_input) return hand_input_of(part("hand_input"), state);
-  if (mode == Mode::teach_in) return teach_in_of(part("teach_in"), state);
+  if (mode == Mode::teach_in) return teach_in_of(part("teach_in"), istwert_um, state);
+  if (mode == Mode::graphics) return graphics_of(part("graphics"), state);
+  if (mode == Mode::machine_data) return machine_data_of(part("machine_data"), state);
   return open_mode(mode, state);
 }
 
 }  // namespace
 
 std::string write_state(const ActiveMode& mode, const ControlState& state) {
-  const program::ModalState modal = state.run.is_present() ? state.run.modal() : state.modal;
+  const Legacy legacy =
+      state.run.is_present() ? state.run.legacy() : Legacy{state.modal, state.parameters, state.compensation_mm};
+  const std::array<double, 3>& offset_mm = legacy.compensation_mm;
   const machine::Snapshot machine = state.machine();
   Json json{{"v", 1},
             {"mode", name_of(mode_of(mode))},
             {"override", state.override_percent},
-            {"modal", modal_json(modal)},
-            {"parameters", parameters_json(state.parameters)},
+            {"modal", modal_json(legacy.modal)},
+            {"parameters", parameters_json(legacy.parameters)},
             {"istwert", {machine.istwert_mm[0], machine.istwert_mm[1], machine.istwert_mm[2]}},
             {"editor_program", state.editor_program},
             {"automat_program", state.automat_program},
-            {"compensation", {state.compensation_mm[0], state.compensation_mm[1], state.compensation_mm[2]}},
+            {"compensation", {offset_mm[0], offset_mm[1], offset_mm[2]}},
             {"clock_offset", state.clock.offset_s()},
-            {"taught", taught_json(state.taught)}};
+            {"taught", taught_json(state.taught, state)}};
+  if (const auto clock = state.clock.standing(state.now))
+    json["clock"] = {{"seconds", clock->seconds}, {"date", clock->has_date}};
   if (const auto* erase = std::get_if<EraseMemoryMode>(&mode))
     json["erase_memory"]["program"] = field_json(erase->program);
   if (const auto* hand = std::get_if<HandMode>(&mode)) json["hand"] = hand_json(*hand);
   if (const auto* input = std::get_if<HandInputMode>(&mode)) json["hand_input"] = hand_input_json(*input);
-  if (const auto* teach_in = std::get_if<TeachInMode>(&mode)) json["teach_in"] = teach_in_json(*teach_in);
+  if (const auto* teach_in = std::get_if<TeachInMode>(&mode)) json["teach_in"] = teach_in_json(*teach_in, state);
   if (const auto* editor = std::get_if<EditorMode>(&mode)) json["editor"] = editor_json(*editor);
   if (const auto* automat = std::get_if<AutomatMode>(&mode)) json["automat"] = automat_json(*automat);
+  if (const auto* graphics = std::get_if<GraphicsMode>(&mode))
+    json["graphics"]["program"] = field_json(graphics->program);
+  if (const auto* data = std::get_if<MachineDataMode>(&mode))
+    json["machine_data"] = {{"number", data->number}, {"value", field_json(data->value)}};
   return json.dump();
 }
 
@@ -121,11 +180,14 @@ ReadState read_state(const std::string& text, ControlState& state) {
   if (const Json* parameters = member_of(json, "parameters")) state.parameters = parameters_of(*parameters);
   state.editor_program = static_cast<std::uint16_t>(integer_in(json, "editor_program", 0, language::kLastProgram, 1));
   state.automat_program = static_cast<std::uint16_t>(integer_in(json, "automat_program", 0, language::kLastProgram, 1));
-  state.clock.set_offset_s(integer_in(json, "clock_offset", -kLargestOffset_s, kLargestOffset_s, 0));
-  if (const Json* taught = member_of(json, "taught")) state.taught = taught_of(*taught);
+  read_clock(json, state.clock);
   read.istwert_mm = lengths_in(json, "istwert");
+  const KeptIstwert istwert_um = in_um(read.istwert_mm.value_or(std::array<double, 3>{}));
+  if (const Json* taught = member_of(json, "taught")) state.taught = taught_of(*taught, istwert_um, state);
   state.compensation_mm = lengths_in(json, "compensation").value_or(state.compensation_mm);
-  if (const auto mode = mode_named(json)) read.mode = active_mode_of(*mode, json, state);
+  fit_to_model(state);
+  if (const auto mode = mode_named(json); mode && is_there(*mode, state))
+    read.mode = active_mode_of(*mode, json, istwert_um, state);
   return read;
 }
 

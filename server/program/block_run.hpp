@@ -125,8 +125,13 @@ Outcome with_exact_stop(BlockRun& run) {
   return function(run);
 }
 
+/// A block that needs the data of the tool must not run where their row in P0000 is damaged (ERR-010, STO-003).
+/// errors  checksum_wrong: the block, with the row in its detail
+[[nodiscard]] Outcome check_tool_row(const ProgramSet& programs, int tool, geometry::SourceBlock source);
+
 /// F, S and T act at block start (FST-009, FST-011).
-void execute_feed_speed_tool(BlockRun& run);
+/// errors  checksum_wrong: T calls a tool whose row is damaged
+Outcome execute_feed_speed_tool(BlockRun& run);
 
 /// M03, M04, M08, M13, M14 act at block start, all others at block end (M-900).
 enum class Moment : std::uint8_t { block_start, block_end };

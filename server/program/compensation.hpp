@@ -13,7 +13,7 @@ namespace cnclab::program {
 [[nodiscard]] bool is_path_compensated(const ExecutionState& state);
 
 /// Neither the position may be renamed nor a switch be searched while path and programmed position differ (D-64).
-/// errors: compensation_impossible
+/// errors: compensation_impossible while it is in force; offset_not_left behind G40, G45 until the axes are led back
 [[nodiscard]] Outcome check_uncompensated(const BlockRun& run);
 
 /// What an earlier run has left on the axes (D-75): the plane's two are led back together, unless G43, G44 move each.
@@ -22,11 +22,13 @@ void begin_compensated(ExecutionState& state, const std::array<double, 3>& compe
 /// Keeps account of the axes whose path may lie beside the programmed position after the way to `target`.
 void follow_compensation(ExecutionState& state, const Target& target);
 
-/// Takes radius or length of the tool in force (D-74); 0 where there is none (COMP-003).
-void take_radius(ModalState& modal, const ProgramSet& programs);
-void take_length(ModalState& modal, const ProgramSet& programs);
+/// Takes radius or length of the tool in force (D-74) for the block at `source`; 0 where there is none (COMP-003).
+/// errors  checksum_wrong: the tool's row is damaged; nothing changed
+[[nodiscard]] Outcome take_radius(ModalState& modal, const ProgramSet& programs, geometry::SourceBlock source);
+[[nodiscard]] Outcome take_length(ModalState& modal, const ProgramSet& programs, geometry::SourceBlock source);
 
 /// Tells the stages what a run finds in force at its start.
-void announce_compensation(BlockRun& run);
+/// errors: word_out_of_range for a negative radius
+[[nodiscard]] Outcome announce_compensation(BlockRun& run);
 
 }  // namespace cnclab::program

@@ -1,5 +1,7 @@
 // Arcs: G02, G03 by their centre, G05, G06 by their radius, G07, G08 helices, G10 rounded corners
 // (G-020 to G-031, G-050 to G-100; D-55, D-65, D-66, D-68, DEC-04, DEC-64).
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,6 +9,7 @@
 #include <numeric>
 
 #include "geometry/path_math.hpp"
+#include "geometry/tolerances.hpp"
 #include "program/ways.hpp"
 #include "program/words.hpp"
 
@@ -19,8 +22,6 @@ using language::Address;
 using language::ErrorCode;
 
 constexpr std::array kCenterWords{Address::I, Address::J, Address::K};
-/// Smallest radius error that is accepted, mm (D-55).
-constexpr double kArcTolerance_mm = 0.020;
 
 /// An odd number of mirrored axes in the plane turns the sense round (G-751, EX-108).
 Turn mirrored(Turn turn, const ModalState& modal) {
@@ -30,12 +31,15 @@ Turn mirrored(Turn turn, const ModalState& modal) {
 }
 
 /// The size of the factor that both axes of the plane share, in 1/1000 (D-68).
-/// errors: scale_not_allowed where they differ, since a circle would become an ellipse
+/// errors: scale_unequal where they differ, since a circle would become an ellipse
 std::expected<std::int64_t, language::Error> factor_of_plane(const BlockRun& run) {
   const auto [first, second] = indices_of(run.state.modal.plane).in_plane;
   const auto& scale = run.state.modal.scale;
   if (std::abs(scale[first]) == std::abs(scale[second])) return std::abs(scale[first]);
-  return error_at(ErrorCode::scale_not_allowed, run.source, 'G', "G75");
+  constexpr std::array kNames{'X', 'Y', 'Z'};
+  const auto factor = [&](std::size_t axis) { return in_mm(static_cast<double>(scale[axis]) / 1000); };
+  return error_at(ErrorCode::scale_unequal, run.source, 'G',
+                  fmt::format("G75 {} {} {} {}", kNames[first], factor(first), kNames[second], factor(second)));
 }
 
 /// What every arc needs before its centre is known.
@@ -73,8 +77,8 @@ void set_center(const BlockRun& run, geometry::Arc& arc) {
 Outcome check_radii(const BlockRun& run, const geometry::Arc& arc) {
   const auto [first, second] = indices_of(arc.plane).in_plane;
   const geometry::ArcShape shape = geometry::shape_of(arc);
-  const double tolerance =
-      std::max(kArcTolerance_mm, 2 / std::min(run.settings.steps_per_mm[first], run.settings.steps_per_mm[second]));
+  const double tolerance = std::max(geometry::kArcTolerance_mm,
+                                    2 / std::min(run.settings.steps_per_mm[first], run.settings.steps_per_mm[second]));
   constexpr double kNoise_mm = 1e-9;  // of the square roots
   const bool has_radius = shape.start_radius > kNoise_mm && shape.end_radius > kNoise_mm;
   if (has_radius && std::abs(shape.end_radius - shape.start_radius) <= tolerance + kNoise_mm) return {};
@@ -95,16 +99,21 @@ Outcome execute_arc(BlockRun& run, Turn turn) {
   return {};
 }
 
-/// Is the radius at least half the way between the ends? Whole nanometres, so that a half circle is one exactly; long
+/// The radius is at least half the way between the ends. Whole nanometres, so that a half circle is one exactly; long
 /// double, since squares of such ways need more than 64 bits.
-bool reaches(const BlockRun& run, const Target& target, std::int64_t radius_nm) {
+Outcome check_radius(const BlockRun& run, const Target& target, std::int64_t radius_nm) {
   long double chord_squared = 0;
   for (const std::size_t axis : indices_of(run.state.modal.plane).in_plane) {
     const auto way = static_cast<long double>(target.programmed_nm[axis] - run.state.programmed_nm[axis]);
     chord_squared += way * way;
   }
+  const std::string found = in_mm(static_cast<double>(radius_nm) / kNanometresPerMm);
+  if (chord_squared == 0) return error_at(ErrorCode::arc_without_way, run.source, 'R', found);
   const long double diameter = 2 * static_cast<long double>(std::abs(radius_nm));
-  return chord_squared > 0 && diameter * diameter >= chord_squared;
+  if (diameter * diameter >= chord_squared) return {};
+  const double least_um = std::ceil(static_cast<double>(std::sqrt(chord_squared) / 2 / 1000));
+  return error_at(ErrorCode::radius_too_small, run.source, 'R', found,
+                  radius_nm < 0 ? "R <= -" + in_mm(least_um / 1000) : "R >= " + in_mm(least_um / 1000));
 }
 
 /// The centre lies on the chord's perpendicular bisector, as far from its middle as the radius says. Going round
@@ -138,7 +147,7 @@ Outcome execute_arc_by_radius(BlockRun& run, Turn turn) {
   }
   const std::int64_t radius_nm = value_of(run.block, Address::R, 0) * begun->factor;
   const double radius_mm = static_cast<double>(radius_nm) / kNanometresPerMm;
-  if (!reaches(run, begun->target, radius_nm)) return error_at(ErrorCode::arc_wrong, run.source, 'R', in_mm(radius_mm));
+  if (Outcome radius = check_radius(run, begun->target, radius_nm); !radius) return radius;
   set_center_by_radius(begun->arc, radius_mm);
   go_round(run, begun->target, begun->arc);
   return {};
@@ -179,7 +188,7 @@ Outcome check_pitch(const BlockRun& run, const geometry::Arc& arc) {
   if (along == 0) return {};
   const std::int64_t around = pulses_in_plane(arc, run.settings.steps_per_mm);
   if (along < around) return {};
-  return error_at(ErrorCode::arc_wrong, run.source, 'Z', std::to_string(along), "< " + std::to_string(around));
+  return error_at(ErrorCode::helix_too_steep, run.source, 'Z', std::to_string(along), "< " + std::to_string(around));
 }
 
 Outcome execute_helix(BlockRun& run, Turn turn) {

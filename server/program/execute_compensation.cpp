@@ -1,5 +1,8 @@
 // Compensation: G40 to G46 become orders to the stages that move the path (G-400 to G-461; D-64, D-72, D-74).
+#include <fmt/core.h>
+
 #include <cmath>
+#include <string>
 
 #include "program/compensation.hpp"
 #include "program/words.hpp"
@@ -41,10 +44,19 @@ Outcome check_unscaled(const BlockRun& run) {
   return error_at(language::ErrorCode::scale_not_allowed, run.source, 'G', "G75", "G74");
 }
 
+/// A table that came by tape may hold what nobody can key in (D-50, DEC-13).
+Outcome check_radius(const BlockRun& run) {
+  const ModalState& modal = run.state.modal;
+  if (modal.tool_radius.value >= 0) return {};
+  return error_at(language::ErrorCode::word_out_of_range, run.source, 'T',
+                  fmt::format("T{:02} R {:.3f}", modal.tool, language::to_mm(modal.tool_radius)), "R >= 0");
+}
+
 Outcome begin_radius(BlockRun& run, RadiusCompensation radius) {
   if (Outcome unscaled = check_unscaled(run); !unscaled) return unscaled;
+  if (Outcome taken = take_radius(run.state.modal, run.programs, run.source); !taken) return taken;
   run.state.modal.radius = radius;
-  take_radius(run.state.modal, run.programs);
+  if (Outcome size = check_radius(run); !size) return size;
   order_radius(run);
   return {};
 }
@@ -64,9 +76,17 @@ AxisSet moved_axes(const ExecutionState& state, const Target& target) {
   return moved;
 }
 
-AxisSet axes_of(geometry::Plane plane) {
+AxisSet axes_that_span(geometry::Plane plane) {
   const auto [first, second] = indices_of(plane).in_plane;
   return static_cast<AxisSet>(axis_bit(first) | axis_bit(second));
+}
+
+/// " X Y"
+std::string names_of(AxisSet axes) {
+  std::string names;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if ((axes & axis_bit(axis)) != 0) names += std::string(" ") + "XYZ"[axis];
+  return names;
 }
 
 AxisSet without(AxisSet axes, AxisSet removed) { return static_cast<AxisSet>(axes & ~removed); }
@@ -83,8 +103,11 @@ bool is_path_compensated(const ExecutionState& state) {
 
 Outcome check_uncompensated(const BlockRun& run) {
   if (!is_path_compensated(run.state)) return {};
-  return error_at(language::ErrorCode::compensation_impossible, run.source, 'G',
-                  "G" + std::to_string(run.block.function.code), "G40, G45");
+  const std::string function = "G" + std::to_string(run.block.function.code);
+  if (is_compensating(run.state.modal))
+    return error_at(language::ErrorCode::compensation_impossible, run.source, 'G', function, "G40, G45");
+  return error_at(language::ErrorCode::offset_not_left, run.source, 'G', function,
+                  "G01" + names_of(static_cast<AxisSet>(run.state.shifted_axes | run.state.contour_axes)));
 }
 
 void begin_compensated(ExecutionState& state, const std::array<double, 3>& compensation_mm) {
@@ -92,7 +115,7 @@ void begin_compensated(ExecutionState& state, const std::array<double, 3>& compe
   AxisSet shifted = 0;
   for (std::size_t axis = 0; axis < compensation_mm.size(); ++axis)
     if (std::abs(compensation_mm[axis]) >= kSmallest_mm) shifted |= axis_bit(axis);
-  const AxisSet plane = axes_of(state.modal.plane);
+  const AxisSet plane = axes_that_span(state.modal.plane);
   const bool together = !moves_each_axis(state.modal.radius) && (shifted & plane) != 0;
   state.contour_axes = together ? plane : AxisSet{0};
   state.shifted_axes = together ? without(shifted, plane) : shifted;
@@ -103,7 +126,7 @@ void begin_compensated(ExecutionState& state, const std::array<double, 3>& compe
 void follow_compensation(ExecutionState& state, const Target& target) {
   if (!is_path_compensated(state)) return;
   const ModalState& modal = state.modal;
-  const AxisSet plane = axes_of(modal.plane), named = target.named_axes;
+  const AxisSet plane = axes_that_span(modal.plane), named = target.named_axes;
   const auto moved_in_plane = static_cast<AxisSet>(moved_axes(state, target) & plane);
   const bool has_radius = modal.tool_radius.value != 0;
   if (follows_contour(modal.radius)) {
@@ -120,18 +143,24 @@ void follow_compensation(ExecutionState& state, const Target& target) {
   if (modal.tool_length.value != 0) state.shifted_axes |= without(named, plane);
 }
 
-void take_radius(ModalState& modal, const ProgramSet& programs) {
+Outcome take_radius(ModalState& modal, const ProgramSet& programs, geometry::SourceBlock source) {
+  if (Outcome row = check_tool_row(programs, modal.tool, source); !row) return row;
   modal.tool_radius = programs.tool(modal.tool).value_or(ToolData{}).radius;
+  return {};
 }
 
-void take_length(ModalState& modal, const ProgramSet& programs) {
+Outcome take_length(ModalState& modal, const ProgramSet& programs, geometry::SourceBlock source) {
+  if (Outcome row = check_tool_row(programs, modal.tool, source); !row) return row;
   modal.tool_length = programs.tool(modal.tool).value_or(ToolData{}).length;
+  return {};
 }
 
-void announce_compensation(BlockRun& run) {
+Outcome announce_compensation(BlockRun& run) {
+  if (Outcome radius = check_radius(run); !radius) return radius;
   // The plane of what is left over is that of the start.
   if (run.state.modal.radius != RadiusCompensation::off || run.state.contour_axes != 0) order_radius(run);
   if (run.state.modal.length_compensation) order_length(run);
+  return {};
 }
 
 Outcome cancel_radius_compensation(BlockRun& run) {
@@ -159,8 +188,8 @@ Outcome cancel_length_compensation(BlockRun& run) {
 
 Outcome compensate_length(BlockRun& run) {
   if (Outcome unscaled = check_unscaled(run); !unscaled) return unscaled;
+  if (Outcome taken = take_length(run.state.modal, run.programs, run.source); !taken) return taken;
   run.state.modal.length_compensation = true;
-  take_length(run.state.modal, run.programs);
   order_length(run);
   return {};
 }

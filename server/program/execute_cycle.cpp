@@ -72,9 +72,13 @@ Outcome check_pocket(const BlockRun& run, std::int64_t diameter_um) {
   return {};
 }
 
+/// The ROM programs read #67 and #68, whatever of them this cycle needs: a damaged row stops before the first block.
 Outcome check_cutter(const BlockRun& run) {
+  if (Outcome row = check_tool_row(run.programs, run.state.modal.tool, run.source); !row) return row;
   const ToolData tool = run.programs.tool(run.state.modal.tool).value_or(ToolData{});
   const std::int64_t diameter_um = 2 * tool.radius.value;
+  if (diameter_um < 0)
+    return error_at(ErrorCode::word_out_of_range, run.source, 'T', "R " + um_in_mm(tool.radius.value), "R >= 0");
   if (run.block.function.code == kSlot) return check_slot(run, diameter_um);
   if (run.block.function.code == kPocket) return check_pocket(run, diameter_um);
   return {};

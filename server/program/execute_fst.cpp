@@ -1,4 +1,6 @@
 // F, S and T: modal, effective at block start (FST-001 to FST-013).
+#include <fmt/core.h>
+
 #include "program/words.hpp"
 
 namespace cnclab::program {
@@ -16,21 +18,29 @@ void change_speed(BlockRun& run, int rpm) {
     run.emit(geometry::Spindle{.turn = modal.spindle, .rpm = static_cast<double>(rpm)});
 }
 
-void change_tool(BlockRun& run, int number) {
+Outcome change_tool(BlockRun& run, int number) {
+  if (Outcome row = check_tool_row(run.programs, number, run.source); !row) return row;
   run.state.modal.tool = number;
   const ToolData tool = run.programs.tool(number).value_or(ToolData{});
   run.emit(geometry::ToolChange{
       .number = number, .radius_mm = language::to_mm(tool.radius), .length_mm = language::to_mm(tool.length)});
+  return {};
 }
 
 }  // namespace
 
-void execute_feed_speed_tool(BlockRun& run) {
+Outcome check_tool_row(const ProgramSet& programs, int tool, geometry::SourceBlock source) {
+  if (!programs.has_damaged_row(tool)) return {};
+  return error_at(language::ErrorCode::checksum_wrong, source, 0, fmt::format("P0000 T{:03}", tool));
+}
+
+Outcome execute_feed_speed_tool(BlockRun& run) {
   using language::Address;
   if (const language::Word* feed = run.block.find(Address::F))
     run.state.modal.feed_mm_per_min = static_cast<int>(feed->number);
   if (const language::Word* speed = run.block.find(Address::S)) change_speed(run, static_cast<int>(speed->number));
-  if (const language::Word* tool = run.block.find(Address::T)) change_tool(run, static_cast<int>(tool->number));
+  if (const language::Word* tool = run.block.find(Address::T)) return change_tool(run, static_cast<int>(tool->number));
+  return {};
 }
 
 }  // namespace cnclab::program

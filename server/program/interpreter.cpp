@@ -31,8 +31,9 @@ Outcome check_executable(const ProgramSet& programs, const Settings& settings, c
 /// F, S, T and the M functions of the block's start; the function itself; the M functions of its end (M-900, FST-009).
 Outcome execute_words(BlockRun& run) {
   constexpr std::uint64_t kFirst = 1;
-  if (run.sequence == kFirst) announce_compensation(run);
-  execute_feed_speed_tool(run);
+  if (run.sequence == kFirst)
+    if (Outcome announced = announce_compensation(run); !announced) return announced;
+  if (Outcome called = execute_feed_speed_tool(run); !called) return called;
   execute_m(run, Moment::block_start);
   if (Outcome outcome = handler_of(run.block.function)(run); !outcome) return outcome;
   execute_m(run, Moment::block_end);
@@ -172,6 +173,8 @@ std::expected<std::optional<language::Block>, language::Error> Interpreter::prep
     if (Outcome form = check_words(stored, source, plane, settings_); !form) return std::unexpected(form.error());
     checked_.pass(*level.program, level.next, plane);
   }
+  if (reads_tool(stored))
+    if (Outcome row = check_tool_row(programs_, state_.modal.tool, source); !row) return std::unexpected(row.error());
   if (!has_parameters(stored)) return std::nullopt;
   language::Block with_values = read_parameters(stored, parameters_, state_, programs_);
   if (is_dwell_of_nothing(with_values)) return with_values;  // DEC-53
@@ -189,11 +192,13 @@ bool Interpreter::pass_over_fault() {
   const language::Block block = read_parameters(stored, parameters_, state_, programs_);
   std::vector<geometry::PathItem> unused;
   BlockRun run = bench_for(block, unused);
-  execute_feed_speed_tool(run);
+  static_cast<void>(execute_feed_speed_tool(run));  // a tool whose row is damaged was told already
   execute_m(run, Moment::block_start);
   if (const auto target = target_of(run); target && is_way(block.function)) arrive(run, *target);
   execute_m(run, Moment::block_end);
   if (has_no_feed) state_.modal.feed_mm_per_min = 1;
+  // An F above F MAX was told of here, not at each way behind it.
+  state_.modal.feed_mm_per_min = std::min(state_.modal.feed_mm_per_min, static_cast<int>(settings_.f_max_mm_per_min));
   ++sequence_;
   ended_ = go_on(run.flow);
   return !ended_;

@@ -9,11 +9,13 @@ using geometry::StageFault;
 
 namespace {
 
-language::ErrorCode code_of(StageFault::Kind kind) {
+language::ErrorCode code_of(const StageFault& fault) {
   using language::ErrorCode;
-  switch (kind) {
+  switch (fault.kind) {
     case StageFault::Kind::arc_at_entry_or_exit:
       return ErrorCode::arc_at_entry_or_exit;
+    case StageFault::Kind::arc_under_axis_offset:
+      return ErrorCode::arc_under_axis_offset;
     case StageFault::Kind::inside_arc_too_small:
       return ErrorCode::inside_arc_too_small;
     case StageFault::Kind::no_intersection:
@@ -29,7 +31,7 @@ language::ErrorCode code_of(StageFault::Kind kind) {
     case StageFault::Kind::rounding_without_lines:
       return ErrorCode::rounding_without_lines;
     case StageFault::Kind::rounding_too_large:
-      return ErrorCode::rounding_too_large;
+      return fault.needed_mm == 0 ? ErrorCode::rounding_way_back : ErrorCode::rounding_too_large;
   }
   return ErrorCode::compensation_impossible;
 }
@@ -47,7 +49,8 @@ bool is_contour_order(const geometry::PathItem& item) {
 }  // namespace
 
 language::Error error_of(const StageFault& fault) {
-  language::Error error{.code = code_of(fault.kind), .program = fault.block.program, .block = fault.block.block};
+  language::Error error{.code = code_of(fault), .program = fault.block.program, .block = fault.block.block};
+  if (error.code == language::ErrorCode::rounding_way_back) return error;
   if (names_a_wall(fault.kind)) {
     error.detail = fmt::format("P{:04} N{:03}", fault.other.program, fault.other.block);
   } else if (fault.found_mm != 0 || fault.needed_mm != 0) {

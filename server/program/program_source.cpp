@@ -23,14 +23,23 @@ std::vector<std::uint16_t> ProgramSet::numbers() const {
   return numbers;
 }
 
-std::optional<ToolData> ProgramSet::tool(int number) const {
+const language::Block* ProgramSet::row_of(int number) const {
   const language::Program* table = find(language::kToolTable);
-  if (table == nullptr || number <= 0) return std::nullopt;
+  if (table == nullptr || number <= 0) return nullptr;
   const std::optional<std::size_t> row = table->find(static_cast<std::uint16_t>(number));
-  if (!row) return std::nullopt;
-  const language::Block& block = table->blocks[*row];
-  const auto length = [&block](language::Address address) {
-    const language::Word* word = block.find(address);
+  return row ? &table->blocks[*row] : nullptr;
+}
+
+bool ProgramSet::has_damaged_row(int number) const {
+  const language::Block* row = row_of(number);
+  return row != nullptr && row->is_damaged;
+}
+
+std::optional<ToolData> ProgramSet::tool(int number) const {
+  const language::Block* row = row_of(number);
+  if (row == nullptr || row->is_damaged) return std::nullopt;
+  const auto length = [row](language::Address address) {
+    const language::Word* word = row->find(address);
     return language::Micrometres{word == nullptr ? 0 : word->number};
   };
   return ToolData{.radius = length(language::Address::R), .length = length(language::Address::L)};

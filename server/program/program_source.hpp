@@ -26,10 +26,14 @@ class ProgramSet {
   [[nodiscard]] const language::Program* find(std::uint16_t number) const;
   /// The numbers of all programs that were put, ascending; P0000 among them.
   [[nodiscard]] std::vector<std::uint16_t> numbers() const;
-  /// The tool's row in P0000, if any.
+  /// The tool's row in P0000, if any. A damaged row has no data: nobody can compute with them by mistake.
   [[nodiscard]] std::optional<ToolData> tool(int number) const;
+  /// Has the tool a row whose check code did not fit when it was read (ERR-010)? Who needs its data must stop.
+  [[nodiscard]] bool has_damaged_row(int number) const;
 
  private:
+  [[nodiscard]] const language::Block* row_of(int number) const;
+
   std::map<std::uint16_t, std::shared_ptr<const language::Program>> programs_;
 };
 

@@ -58,6 +58,15 @@ bool has_parameters(const language::Block& block) {
   return false;
 }
 
+bool reads_tool(const language::Block& block) {
+  constexpr int kRadius = kFirstStateParameter + 3, kLength = kRadius + 1;
+  const bool has_operands = block.function.kind == language::Function::Kind::parametric;
+  return std::ranges::any_of(block.words, [&](const language::Word& word) {
+    const bool names_parameter = word.is_parameter || (has_operands && word.address == language::Address::operand);
+    return names_parameter && (word.number == kRadius || word.number == kLength);
+  });
+}
+
 language::Block read_parameters(language::Block block, const Parameters& parameters, const ExecutionState& state,
                                 const ProgramSet& programs) {
   for (language::Word& word : block.words) {

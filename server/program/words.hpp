@@ -14,6 +14,8 @@ namespace cnclab::program {
 
 /// Does any word of the block name a parameter?
 [[nodiscard]] bool has_parameters(const language::Block& block);
+/// Does the block read #67 or #68, radius and length of the tool in force, in a word or as an operand?
+[[nodiscard]] bool reads_tool(const language::Block& block);
 
 /// The block with its parameters read now: mm words rounded to 1/1000, others their whole part (DEC-52, D-94).
 [[nodiscard]] language::Block read_parameters(language::Block block, const Parameters& parameters,

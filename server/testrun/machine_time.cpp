@@ -1,6 +1,9 @@
 // A machine without iron, in ticks of 1 ms as the real one has.
 #include "testrun/machine_time.hpp"
 
+#include <deque>
+
+#include "geometry/path_math.hpp"
 #include "motion/follower.hpp"
 #include "motion/planner.hpp"
 
@@ -15,6 +18,17 @@ constexpr double kCoarseFrom_s = 600, kCoarseTick_s = 0.01;
 constexpr std::size_t kMostWaiting = 1024, kKeepWaiting = 512;
 /// Ticks without motion after which the path counts as done: what rests so long is starved.
 constexpr int kRestTicks = 3;
+
+/// How long the item takes at its programmed speed.
+double nominal_seconds(const geometry::PathItem& item) {
+  constexpr double kSecondsPerMinute = 60;
+  if (const auto* line = std::get_if<geometry::Line>(&item.what))
+    return geometry::length_of(*line) / line->feed_mm_per_min * kSecondsPerMinute;
+  if (const auto* arc = std::get_if<geometry::Arc>(&item.what))
+    return geometry::length_of(*arc) / arc->feed_mm_per_min * kSecondsPerMinute;
+  if (const auto* dwell = std::get_if<geometry::Dwell>(&item.what)) return dwell->seconds;
+  return 0;
+}
 
 }  // namespace
 
@@ -45,12 +59,23 @@ struct MachineTime::Impl {
     for (int rested = 0; queue.waiting() > until_waiting && rested < kRestTicks; rested = has_moved ? 0 : rested + 1)
       tick();
     queue.trim();
+    for (; nominal_s.size() > queue.waiting(); nominal_s.pop_front()) waiting_s -= nominal_s.front();
+    if (nominal_s.empty()) waiting_s = 0;  // no rest of rounding
+  }
+
+  void take(const geometry::PathItem& item) {
+    static_cast<void>(planner.append(item));  // the window is far larger than what ever waits
+    nominal_s.push_back(nominal_seconds(item));
+    waiting_s += nominal_s.back();
+    if (queue.waiting() >= kMostWaiting) follow(kKeepWaiting);
   }
 
   motion::SegmentQueue queue;
   motion::Planner planner;
   motion::Follower follower;
-  double seconds = 0;
+  double seconds = 0;            ///< of what was followed
+  std::deque<double> nominal_s;  ///< of each segment that waits
+  double waiting_s = 0;          ///< their sum
   bool has_moved = false;
 };
 
@@ -60,13 +85,10 @@ MachineTime::~MachineTime() = default;
 MachineTime::MachineTime(MachineTime&&) noexcept = default;
 MachineTime& MachineTime::operator=(MachineTime&&) noexcept = default;
 
-void MachineTime::take(const geometry::PathItem& item) {
-  static_cast<void>(impl_->planner.append(item));  // the window is far larger than what ever waits
-  if (impl_->queue.waiting() >= kMostWaiting) impl_->follow(kKeepWaiting);
-}
+void MachineTime::take(const geometry::PathItem& item) { impl_->take(item); }
 
 void MachineTime::finish() { impl_->follow(0); }
 
-double MachineTime::seconds() const { return impl_->seconds; }
+double MachineTime::seconds() const { return impl_->seconds + impl_->waiting_s; }
 
 }  // namespace cnclab::testrun

@@ -9,8 +9,9 @@
 
 namespace cnclab::testrun {
 
-/// Takes the path item by item and follows it behind, so that memory stays bounded and the sum is always nearly whole.
-/// Dwells count; waiting for inputs, halts and reference runs do not, since nobody knows how long they last.
+/// Takes the path item by item and follows it behind, so that memory stays bounded. What is not followed yet counts
+/// with its programmed speed, without ramps: so the sum never falls, and is exact once the path is finished. Dwells
+/// count; waiting for inputs, halts and reference runs do not, since nobody knows how long they last.
 class MachineTime {
  public:
   MachineTime(const geometry::Point& start, const motion::Limits& limits);

@@ -76,7 +76,9 @@ class TestRun {
   /// Done of the main program's blocks, 0..1: jumps make it go back. 1 only at the end.
   [[nodiscard]] double progress() const;
   [[nodiscard]] double path_mm() const { return path_mm_; }
-  [[nodiscard]] double machine_time_s() const { return time_.seconds(); }  ///< whole at the end, a little behind before
+  [[nodiscard]] double machine_time_s() const {
+    return time_.seconds();
+  }  ///< ramps of the newest ways are missing before the end
   [[nodiscard]] const program::ModalState& modal() const { return source_.interpreter().modal(); }
   [[nodiscard]] const Stock& stock() const { return stock_; }
   /// Is the path longer than what is kept of it for the picture? Its newest part is missing then.

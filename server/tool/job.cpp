@@ -58,6 +58,13 @@ bool read_programs(const Options& options, Job& job) {
     job.lines[number] = std::move(read.lines);
     job.programs.put(std::move(read.program));
   }
+  for (language::ReadProgram& read : tape.faulty_programs) {
+    const std::uint16_t number = read.program.number;
+    job.partly_read.insert(number);
+    if (job.programs.find(number) != nullptr) continue;  // the file has another one of that number, which counts
+    job.lines[number] = std::move(read.lines);
+    job.programs.put(std::move(read.program));
+  }
   return true;
 }
 
@@ -127,7 +134,12 @@ void choose_start(const Options& options, Job& job) {
   if (program != nullptr && !program->blocks.empty()) job.start.block = program->blocks.front().number;
   if (!options.block) return;
   job.start.block = *options.block;
-  if (program != nullptr) job.start.modal = program::rebuild_modal(job.programs, *program, *options.block, {});
+  if (program == nullptr) return;
+  const auto modal = program::rebuild_modal(job.programs, *program, *options.block, {});
+  if (modal)
+    job.start.modal = *modal;
+  else
+    job.tape_errors.push_back(modal.error());
 }
 
 }  // namespace

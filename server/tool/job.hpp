@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,7 @@ struct Job {
   std::string tools_file;  ///< where the tool table comes from; empty: FILE
   language::Tongue tongue = language::Tongue::english;
   program::ProgramSet programs;                       ///< those of FILE, with the tool table of --tools
+  std::set<std::uint16_t> partly_read;                ///< of these only the blocks that have no fault of the tape
   std::vector<std::uint16_t> in_file_order;           ///< their numbers as they stand in FILE
   std::vector<language::MachineDatum> recorded_data;  ///< machine data in FILE; they are converted, never run with
   machine::MachineData data;

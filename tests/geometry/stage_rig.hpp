@@ -28,6 +28,10 @@ namespace rig {
 
 using namespace cnclab::geometry;
 
+inline constexpr std::array kPlanes{Plane::xy, Plane::xz, Plane::yz};
+
+inline std::string name_of(Plane plane) { return plane == Plane::xy ? "XY" : plane == Plane::xz ? "XZ" : "YZ"; }
+
 /// Items as the interpreter emits them: one block after the other, numbered from 1. Places are (first, second) in the
 /// plane's own axes, so that one table serves all three planes.
 class Part {

@@ -33,6 +33,63 @@ TEST(AxisOffset, G44ShortensWhatG43Lengthens_COMP014) {
   EXPECT_EQ(outcome.shift_mm, (std::array<double, 3>{5, 5, 0}));
 }
 
+struct BackwardsRow {
+  std::string name;
+  void (*program)(Part&);
+  int block;  ///< 0: none is to blame
+  double way, taken;
+  double first, second;  ///< where the tool's centre stands then
+};
+
+std::vector<BackwardsRow> backwards_rows() {
+  return {
+      {"shorter than R", [](Part& p) { p.radius(OffsetSide::minus, 5).line(3, 0); }, 2, 3, 5, 0, 0},
+      {"as long as R: nothing is left", [](Part& p) { p.radius(OffsetSide::minus, 5).line(5, 0).line(5, 20); }, 0, 0, 0,
+       0, 15},
+      {"back by less than 2 R", [](Part& p) { p.radius(OffsetSide::minus, 5).line(30, 0).line(27, 0); }, 3, 3, 10, 25,
+       0},
+      {"back by 2 R", [](Part& p) { p.radius(OffsetSide::minus, 5).line(30, 0).line(20, 0).line(0, 0); }, 0, 0, 0, 5,
+       0},
+      {"one axis of a slanted way",
+       [](Part& p) { p.radius(OffsetSide::minus, 5).line(30, 30).line(60, 34).line(70, 33); }, 4, 1, 10, 55, 29},
+      {"short on in the same direction", [](Part& p) { p.radius(OffsetSide::minus, 5).line(30, 0).line(31, 0); }, 0, 0,
+       0, 26, 0},
+      {"lengthened, back at once", [](Part& p) { p.radius(OffsetSide::plus, 5).line(30, 0).line(29, 0); }, 0, 0, 0, 24,
+       0},
+      {"lengthened, then shortened",
+       [](Part& p) { p.radius(OffsetSide::plus, 5).line(30, 0).radius(OffsetSide::minus, 5).line(33, 0); }, 4, 3, 10,
+       35, 0},
+      {"a smaller tool",
+       [](Part& p) { p.radius(OffsetSide::plus, 9).line(30, 0).radius(OffsetSide::plus, 5).line(33, 0); }, 4, 3, 4, 39,
+       0},
+      {"left at the programmed point, wherever that is",
+       [](Part& p) { p.radius(OffsetSide::plus, 5).line(30, 0).off().line(31, 0); }, 0, 0, 0, 31, 0},
+  };
+}
+
+/// D-72 (a) says where ways end, DEC-09 that none is run against its direction.
+TEST(AxisOffset, AWayThatWouldRunBackwardsIsRefused_DEC09_G431) {
+  for (const Plane plane : {Plane::xy, Plane::xz, Plane::yz}) {
+    for (const BackwardsRow& row : backwards_rows()) {
+      Part part(plane);
+      row.program(part);
+      const Outcome outcome = run(part);
+      ASSERT_EQ(outcome.fault.has_value(), row.block != 0) << row.name;
+      expect_sound(outcome, row.name);
+      if (outcome.fault) {
+        EXPECT_EQ(outcome.fault->kind, Kind::runs_backwards) << row.name;
+        EXPECT_EQ(outcome.fault->block.block, row.block) << row.name;
+        EXPECT_NEAR(outcome.fault->found_mm, row.way, 1e-9) << row.name;
+        EXPECT_NEAR(outcome.fault->needed_mm, row.taken, 1e-9) << row.name;
+      }
+      const auto ways = ways_of(outcome.items, plane);
+      const Way last = ways.empty() ? Way{} : ways.back();
+      EXPECT_NEAR(last.first, row.first, 1e-9) << row.name;
+      EXPECT_NEAR(last.second, row.second, 1e-9) << row.name;
+    }
+  }
+}
+
 TEST(AxisOffset, CornersAreNotRounded_COMP010) {
   for (const PathItem& item : run(square_of_30(Plane::xy, OffsetSide::plus)).items)
     EXPECT_FALSE(std::holds_alternative<Arc>(item.what));
@@ -73,7 +130,7 @@ TEST(AxisOffset, AnArcWhoseShapeWouldChangeIsRefused_D72) {
   for (const auto& [part, block] : {std::pair{under, 3}, std::pair{behind, 4}}) {
     const Outcome outcome = run(part);
     ASSERT_TRUE(outcome.fault);
-    EXPECT_EQ(outcome.fault->kind, Kind::arc_at_entry_or_exit);
+    EXPECT_EQ(outcome.fault->kind, Kind::arc_under_axis_offset);
     EXPECT_EQ(outcome.fault->block.block, block);
     EXPECT_EQ(ways_of(outcome.items, Plane::xy).size(), 1U);
   }

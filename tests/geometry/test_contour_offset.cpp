@@ -13,10 +13,6 @@ using std::numbers::pi;
 using std::numbers::sqrt2;
 using Kind = StageFault::Kind;
 
-constexpr std::array kPlanes{Plane::xy, Plane::xz, Plane::yz};
-
-std::string name_of(Plane plane) { return plane == Plane::xy ? "XY" : plane == Plane::xz ? "XZ" : "YZ"; }
-
 /// QUADRAT MIT RADIUS KORREKTUR, block numbers as printed.
 Part square(Plane plane, double radius_mm) {
   Part part(plane);
@@ -178,6 +174,37 @@ std::vector<JointRow> joints_with_arcs() {
        5,
        [](Part& p) { p.line(0, 0).ccw(20, 0, 10, 0).cw(60, 0, 40, 0); },
        {{3, 'L', 5, 0}, {4, 'R', 15, 0}, {5, 'A', 65, 0}}},
+      {"line-arc of the tool's radius-line: the tool turns on the point",
+       left,
+       5,
+       [](Part& p) { p.line(0, 0).line(20, 0).ccw(25, 5, 20, 5).line(25, 30); },
+       {{3, 'L', 0, 5}, {4, 'L', 20, 5}, {6, 'L', 20, 30, 0, 25}}},
+      {"the same, rounded between two lines",
+       left,
+       5,
+       [](Part& p) { p.line(0, 0).line(25, 0).rounding(5).line(25, 30); },
+       {{3, 'L', 0, 5}, {4, 'L', 20, 5}, {6, 'L', 20, 30, 0, 25}}},
+      {"half circle of the tool's radius: back beside itself",
+       left,
+       5,
+       [](Part& p) { p.line(0, 0).line(20, 0).ccw(20, 10, 20, 5).line(0, 10); },
+       {{3, 'L', 0, 5}, {4, 'L', 20, 5}, {6, 'L', 0, 5}}},
+      {"two quarters of the tool's radius",
+       left,
+       5,
+       [](Part& p) { p.line(0, 0).line(20, 0).ccw(25, 5, 20, 5).ccw(20, 10, 20, 5).line(0, 10); },
+       {{3, 'L', 0, 5}, {4, 'L', 20, 5}, {7, 'L', 0, 5}}},
+      {"arc of the tool's radius behind an outside corner",
+       left,
+       5,
+       [](Part& p) { p.line(0, 0).line(20, 0).ccw(25, -5, 25, 0).line(40, -5); },
+       // down at (20,0), the centre (25,0) is the way; (40,-5) is 5 below it
+       {{3, 'L', 0, 5}, {4, 'L', 20, 5}, {5, 'A', 25, 0, 0, 2.5 * pi}, {6, 'L', 40, 0}}},
+      {"full circle of the tool's radius",
+       left,
+       5,
+       [](Part& p) { p.line(0, 0).ccw(0, 0, 5, 0).line(0, -30); },
+       {{3, 'L', 5, 0}, {5, 'L', 5, -30}}},
       {"full circle, tool inside, in one block",
        left,
        5,
@@ -225,8 +252,10 @@ std::vector<FaultRow> fault_rows() {
        [](Part& p) { p.left(5).line(0, 0).line(20, 0).right(5).ccw(0, 0, 10, 0); }, 20, 5},
       {"arc smaller than the tool", Kind::inside_arc_too_small, 5,
        [](Part& p) { p.left(5).line(0, 0).line(20, 0).ccw(24, 4, 20, 4).line(24, 30); }, 0, 5},
-      {"arc as small as the tool", Kind::inside_arc_too_small, 5,
-       [](Part& p) { p.left(5).line(0, 0).line(20, 0).ccw(25, 5, 20, 5).line(25, 30); }, 0, 5},
+      {"arc two micrometres smaller than the tool", Kind::inside_arc_too_small, 5,
+       [](Part& p) { p.left(5).line(0, 0).line(20, 0).ccw(24.998, 4.998, 20, 4.998).line(24.998, 30); }, 0, 5},
+      {"arc of the tool's radius behind an inside corner", Kind::no_intersection, 5,
+       [](Part& p) { p.left(5).line(0, 0).line(20, 0).ccw(16, 8, 16, 3); }, 0, 5},
       {"first arc too small", Kind::inside_arc_too_small, 4, [](Part& p) { p.left(5).line(0, 0).ccw(8, 0, 4, 0); }, 0,
        -20},
       {"slot narrower than the tool", Kind::runs_backwards, 5,

@@ -10,10 +10,6 @@ namespace {
 using namespace rig;
 using std::numbers::pi;
 
-constexpr std::array kPlanes{Plane::xy, Plane::xz, Plane::yz};
-
-std::string name_of(Plane plane) { return plane == Plane::xy ? "XY" : plane == Plane::xz ? "XZ" : "YZ"; }
-
 TEST(ContourStream, WhatDoesNotMoveInThePlaneHappensAtTheCorner_D71_COMP002) {
   for (const Plane plane : kPlanes) {
     Part part(plane);
@@ -183,6 +179,39 @@ TEST(ContourStream, EX040TheManualsFullCircleOnBothSides_G024) {
     EXPECT_EQ(ways.back().block, 6);
     EXPECT_NEAR(ways.back().first, -30, 1e-9);
   }
+}
+
+/// Entered from its middle; ends beside the start on the circle's inside, its outside and on it, both senses.
+TEST(ContourStream, EX040InsideIsEnteredAndLeftWithoutACut_G024_COMP007) {
+  for (const double radius : {0.25, 5.0, 10.0}) {
+    for (const auto& [first, second] : {std::pair{0.005, -0.005}, {-0.005, -0.005}, {0.0, -0.005}, {0.01, -0.01}}) {
+      Part clockwise;
+      clockwise.from(20, 0).right(radius).line(0, 0).cw(first, second, 20, 0).line(0, 0).off().line(20, 0);
+      Part counter;
+      counter.from(20, 0).left(radius).line(0, 0).ccw(first, -second, 20, 0).line(0, 0).off().line(20, 0);
+      for (const Part& part : {clockwise, counter}) {
+        const Outcome outcome = run(part);
+        ASSERT_FALSE(outcome.fault);
+        EXPECT_TRUE(outcome.gouges.empty()) << radius << ", " << first << ", " << second;
+        expect_sound(outcome, "EX-040 inside");
+        double round = 0;
+        for (const Way& way : ways_of(outcome.items, Plane::xy)) round += way.block == 3 ? way.length : 0;
+        EXPECT_NEAR(round, 2 * pi * (20 - radius), 0.04);
+      }
+    }
+  }
+}
+
+/// The radius error of an arc (D-55) is all that its chain is given: a hundredth more is told.
+TEST(ContourStream, ACutDeeperThanTheRadiusErrorIsTold_D55_DEC09) {
+  const auto gouges_at = [](double mouth) {
+    Part part;  // an arc that ends 0.01 inside its circle, then past its own beginning
+    part.from(-20, 5).left(5).line(0, 0).line(40, 0).ccw(40, 19.99, 40, 10).line(10, 19.99).line(10, mouth);
+    return run(part.line(0, mouth)).gouges.size();
+  };
+  EXPECT_EQ(gouges_at(10), 0U);
+  EXPECT_EQ(gouges_at(9.99), 0U);
+  EXPECT_GT(gouges_at(9.98), 0U);
 }
 
 TEST(ContourStream, SpiralsKeepTheirTwoRadii_D55) {

@@ -9,8 +9,6 @@ using namespace rig;
 using std::numbers::pi;
 using Kind = StageFault::Kind;
 
-constexpr std::array kPlanes{Plane::xy, Plane::xz, Plane::yz};
-
 TEST(CornerRounding, ArcBetweenTwoLinesInEveryPlane_G100) {
   for (const Plane plane : kPlanes) {
     Part part(plane);
@@ -108,7 +106,7 @@ TEST(CornerRounding, OrdinaryLinesLeaveWithTheNextBlock) {
   EXPECT_EQ(out.size(), 3U);
 }
 
-struct FaultRow {
+struct RoundingFault {
   std::string name;
   Kind kind;
   int block;
@@ -116,7 +114,7 @@ struct FaultRow {
   std::size_t ways;  ///< that are right before it
 };
 
-std::vector<FaultRow> fault_rows() {
+std::vector<RoundingFault> rounding_faults() {
   const auto without = Kind::rounding_without_lines, large = Kind::rounding_too_large;
   return {
       {"nothing before", without, 1, [](Part& p) { p.rounding(4).line(20, 0); }, 0},
@@ -140,7 +138,7 @@ std::vector<FaultRow> fault_rows() {
 
 TEST(CornerRounding, FaultsNameTheBlockOfTheG10_D66) {
   for (const Plane plane : kPlanes) {
-    for (const FaultRow& row : fault_rows()) {
+    for (const RoundingFault& row : rounding_faults()) {
       Part part(plane);
       row.program(part);
       const Outcome outcome = run(part);

@@ -7,6 +7,7 @@
 #include <map>
 #include <random>
 
+#include "seeded.hpp"
 #include "slow_contour.hpp"
 #include "stage_rig.hpp"
 
@@ -14,9 +15,6 @@ namespace {
 
 using namespace rig;
 using std::numbers::pi;
-
-/// The same cases in every run; RC_PARAMS in the environment asks for others.
-const bool kSeeded = setenv("RC_PARAMS", "seed=3300 max_success=300", 0) == 0;
 
 constexpr double kMicrometre = 0.001;
 
@@ -174,7 +172,7 @@ void assert_gouges(const std::vector<WayBeside>& ways, const std::vector<PathEle
     if (reported != gouges.end())
       RC_ASSERT(std::abs(reported->found_mm - found) < kMicrometre);
     else if (gouges.size() < ContourCheck::kMostFindings)
-      RC_ASSERT(found > radius - 1.1 * kMicrometre);
+      RC_ASSERT(found > radius - 1.6 * kMicrometre);  // rounding to 1/1000 is no cut
   }
 }
 
@@ -219,7 +217,7 @@ RC_GTEST_PROP(RandomContours, RunBesideTheContourOrNameAnElementThatCannotBe, ()
     const std::size_t blamed = outcome.fault->block.block - kFirstBlock;
     RC_TAG(std::string("fault"));
     if (outcome.fault->kind == StageFault::Kind::inside_arc_too_small) {
-      RC_ASSERT(contour.steps[blamed].radius <= contour.radius + 1e-6);
+      RC_ASSERT(contour.steps[blamed].radius < contour.radius);
       RC_ASSERT((contour.steps[blamed].sweep > 0) == contour.is_left);
     } else {
       RC_ASSERT(is_impossible(contour, elements, blamed));

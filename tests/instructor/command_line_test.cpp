@@ -12,13 +12,13 @@
 namespace cnclab::instructor {
 namespace {
 
-struct Row {
+struct CommandRow {
   std::string name;
   std::vector<std::string> arguments;
   std::string request;  ///< text format
 };
 
-void PrintTo(const Row& row, std::ostream* out) { *out << row.name; }
+void PrintTo(const CommandRow& row, std::ostream* out) { *out << row.name; }
 
 /// Two files that commands read; their paths are the same in every run of one test program.
 std::string file_with(const std::string& name, const std::string& content) {
@@ -31,7 +31,7 @@ std::string file_with(const std::string& name, const std::string& content) {
 std::string tape() { return file_with("tape", "P0001\nN001G00X+1000\n%\n"); }
 std::string password() { return file_with("password", "geheim123\nsecond line\n"); }
 
-class CommandTable : public testing::TestWithParam<Row> {};
+class CommandTable : public testing::TestWithParam<CommandRow> {};
 
 TEST_P(CommandTable, becomes_its_request) {
   const auto line = read_command_line(GetParam().arguments);
@@ -43,7 +43,7 @@ TEST_P(CommandTable, becomes_its_request) {
 }
 
 /// The selector, the machine, the stations.
-std::vector<Row> machine_rows() {
+std::vector<CommandRow> machine_rows() {
   return {
       {"INS-005 status", {"status"}, "status{}"},
       {"AUTH-002 select", {"select", "7"}, "select{station:7}"},
@@ -81,7 +81,7 @@ std::vector<Row> machine_rows() {
 }
 
 /// People, their programs and records.
-std::vector<Row> people_rows() {
+std::vector<CommandRow> people_rows() {
   return {
       {"INS-004 students", {"students"}, "students{}"},
       {"SEC-002 student add", {"student", "add", "anna"}, R"(student_add{name:"anna" role:"student"})"},

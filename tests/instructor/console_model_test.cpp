@@ -3,30 +3,21 @@
 
 #include <gtest/gtest.h>
 
+#include "console_rig.hpp"
+
 namespace cnclab::instructor {
 namespace {
 
-ConsoleModel connected(std::uint32_t selected = 0) {
-  ConsoleModel model;
-  model.status.emplace();
-  model.status->set_selected(selected);
-  model.status->mutable_machine()->set_state("standstill");
-  model.chosen = 7;
-  return model;
-}
-
-std::string asked(const Reaction& reaction) { return reaction.request ? reaction.request->ShortDebugString() : "-"; }
-
-struct Row {
+struct InputRow {
   std::string name;
   Input input;
   std::string request;
   bool is_urgent = false;
 };
 
-void PrintTo(const Row& row, std::ostream* out) { *out << row.name; }
+void PrintTo(const InputRow& row, std::ostream* out) { *out << row.name; }
 
-class ConsoleKeys : public testing::TestWithParam<Row> {};
+class ConsoleKeys : public testing::TestWithParam<InputRow> {};
 
 TEST_P(ConsoleKeys, asks_the_server) {
   const Reaction reaction = react(connected(), GetParam().input);
@@ -35,19 +26,23 @@ TEST_P(ConsoleKeys, asks_the_server) {
   EXPECT_FALSE(reaction.quits);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    INS_002, ConsoleKeys,
-    testing::Values(
-        Row{"AUTH-002 s", Typed{U's'}, "select { station: 7 }"},
-        Row{"AUTH-002 Enter", Special::enter, "select { station: 7 }"},
-        Row{"AUTH-004 S", Typed{U'S'}, "select { station: 7 force: true }"},
-        Row{"AUTH-001 r", Typed{U'r'}, "release { }"}, Row{"AUTH-004 R", Typed{U'R'}, "release { force: true }"},
-        Row{"AUTH-006 F12", Special::halt, "halt { }", true}, Row{"AUTH-006 h", Typed{U'h'}, "halt { }", true},
-        Row{"AUTH-006 c", Typed{U'c'}, "clear_halt { }"}, Row{"AUTH-010 p", Typed{U'p'}, "power_off { }", true},
-        Row{"INS-002 l", Typed{U'l'}, "lock { station: 7 }"}, Row{"INS-002 v", Typed{U'v'}, "show { station: 7 }"},
-        Row{"INS-002 w", Typed{U'w'}, "watch { station: 7 }"}, Row{"INS-002 t", Typed{U't'}, "take { station: 7 }"},
-        Row{"INS-002 g", Typed{U'g'}, "give { station: 7 }"}, Row{"z does nothing", Typed{U'z'}, "-"},
-        Row{"Esc does nothing", Special::escape, "-"}));
+INSTANTIATE_TEST_SUITE_P(INS_002, ConsoleKeys,
+                         testing::Values(InputRow{"AUTH-002 s", Typed{U's'}, "select { station: 7 }"},
+                                         InputRow{"AUTH-002 Enter", Special::enter, "select { station: 7 }"},
+                                         InputRow{"AUTH-004 S", Typed{U'S'}, "select { station: 7 force: true }"},
+                                         InputRow{"AUTH-001 r", Typed{U'r'}, "release { }"},
+                                         InputRow{"AUTH-004 R", Typed{U'R'}, "release { force: true }"},
+                                         InputRow{"AUTH-006 F12", Special::halt, "halt { }", true},
+                                         InputRow{"AUTH-006 h", Typed{U'h'}, "halt { }", true},
+                                         InputRow{"AUTH-006 c", Typed{U'c'}, "clear_halt { }"},
+                                         InputRow{"AUTH-010 p", Typed{U'p'}, "power_off { }", true},
+                                         InputRow{"INS-002 l", Typed{U'l'}, "lock { station: 7 }"},
+                                         InputRow{"INS-002 v", Typed{U'v'}, "show { station: 7 }"},
+                                         InputRow{"INS-002 w", Typed{U'w'}, "watch { station: 7 }"},
+                                         InputRow{"INS-002 t", Typed{U't'}, "take { station: 7 }"},
+                                         InputRow{"INS-002 g", Typed{U'g'}, "give { station: 7 }"},
+                                         InputRow{"z does nothing", Typed{U'z'}, "-"},
+                                         InputRow{"Esc does nothing", Special::escape, "-"}));
 
 TEST(ConsoleModel, AUTH_010_p_switches_on_again_what_is_off) {
   ConsoleModel model = connected();
@@ -150,8 +145,8 @@ TEST(ConsoleModel, AUTH_006_the_message_of_a_halt_goes_when_the_halt_is_cleared_
   EXPECT_EQ(model.message.text, "MASCHINE HALT. c hebt ihn auf.");
   status.set_halted_by("");
   EXPECT_EQ(with_status(model, status).message.text, "");
-  model.watched.is_typing = true;
-  EXPECT_EQ(with_answer(model, request, answer).message.text, "MASCHINE HALT. Nach F8 hebt c ihn auf.");
+  model.overlay = Overlay::watching;
+  EXPECT_EQ(with_answer(model, request, answer).message.text, "MASCHINE HALT. In der Tafel hebt c ihn auf.");
 }
 
 TEST(ConsoleModel, AUTH_016_nobody_types_at_a_keyboard_that_was_given_back) {

@@ -39,7 +39,7 @@ struct Step {
 };
 
 template <class What>
-const What* find(const Actions& actions) {
+const What* first_of(const Actions& actions) {
   for (const Action& action : actions)
     if (const auto* what = std::get_if<What>(&action)) return what;
   return nullptr;
@@ -89,7 +89,7 @@ void carry_out(World& world, const Actions& actions) {
 std::string broken_by_step(const Step& step) {
   const Authority& was = step.before.authority;
   const Authority& is = step.after.authority;
-  if (const auto* grant = find<Grant>(step.actions)) {
+  if (const auto* grant = first_of<Grant>(step.actions)) {
     const bool is_new =
         static_cast<std::uint64_t>(grant->epoch) != step.before.newest_lease || !step.before.is_honoured;
     if (is_new && static_cast<std::uint64_t>(grant->epoch) <= step.before.newest_lease)
@@ -104,7 +104,7 @@ std::string broken_by_step(const Step& step) {
   const bool forced = (select != nullptr && select->force) || (release != nullptr && release->force);
   if ((select != nullptr || release != nullptr) && step.was_moving && !forced && was.holder() != is.holder())
     return "AUTH-004 the selector moved while the machine moves";
-  if (std::holds_alternative<HaltPressed>(step.event) && find<Latch>(step.actions) == nullptr)
+  if (std::holds_alternative<HaltPressed>(step.event) && first_of<Latch>(step.actions) == nullptr)
     return "AUTH-006 a halt that does not reach the channel";
   if (const auto* decline = std::get_if<Decline>(&step.event);
       decline != nullptr && decline->login == was.asked() && was.asked() != kNoLogin && is.asked() == decline->login)
@@ -115,7 +115,7 @@ std::string broken_by_step(const Step& step) {
   if (const auto* loss = std::get_if<Deprived>(&step.event);
       loss != nullptr && loss->login != kNoLogin && loss->login == is.holder())
     return "AUTH-016 the typing console is lost and the lease lives on";
-  if (was.phase() != is.phase() && was.phase() != Phase::stopping && find<Journal>(step.actions) == nullptr)
+  if (was.phase() != is.phase() && was.phase() != Phase::stopping && first_of<Journal>(step.actions) == nullptr)
     return "AUTH-015 a change that is not in the journal";
   return {};
 }
@@ -184,7 +184,7 @@ bool can_happen(const World& world, const Event& event) {
 
 /// What decides the future of a state, but for lease numbers, which only grow; whether the authority has forgotten any
 /// of them is part of it.
-std::string key_of(const World& world) {
+std::string name_of_world(const World& world) {
   const Authority& is = world.authority;
   std::string key;
   const auto number = [](auto value) { return std::to_string(static_cast<std::uint64_t>(value)) + ","; };
@@ -259,7 +259,7 @@ WalkResult walk(const Mutation& mutation) {
   const std::vector<Happening> all = all_happenings();
   Walk walk{mutation, {}};
   std::deque<World> open{World{}};
-  std::set<std::string> seen{key_of(World{})};
+  std::set<std::string> seen{name_of_world(World{})};
   while (!open.empty()) {
     const World world = std::move(open.front());
     open.pop_front();
@@ -273,11 +273,11 @@ WalkResult walk(const Mutation& mutation) {
         ++walk.result.steps;
         walk.result.broken = walk.happen(world, next, all[i], moving);
         if (!walk.result.broken.empty()) {
-          walk.result.how = "happening " + std::to_string(i) + " at " + key_of(world);
+          walk.result.how = "happening " + std::to_string(i) + " at " + name_of_world(world);
           walk.result.states = seen.size();
           return walk.result;
         }
-        if (seen.insert(key_of(next)).second) open.push_back(std::move(next));
+        if (seen.insert(name_of_world(next)).second) open.push_back(std::move(next));
       }
     }
   }

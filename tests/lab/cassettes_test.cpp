@@ -11,8 +11,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr std::uint32_t kSeat = 7;
-
 class Cassettes : public testing::Test, protected SmallLab {
  protected:
   Cassettes() {
@@ -156,7 +154,7 @@ TEST_F(Cassettes, SEC_006_WhatIsNoCassetteIsNotPutIn) {
   settle();
   EXPECT_THAT(picture(), HasSubstr("Die Kassette ist beschädigt"));
   strike_all({Key::EXTERNE_DATEN, Key::D2});
-  EXPECT_THAT(picture(), HasSubstr("nicht angeschlossen"));
+  EXPECT_THAT(picture(), HasSubstr("Keine Kassette eingelegt"));
 }
 
 TEST_F(Cassettes, DEC_33_AtMostTenWithNamesThatCanBeChanged) {

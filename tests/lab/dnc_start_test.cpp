@@ -5,12 +5,13 @@
 
 #include <functional>
 
+#include "lab/clock.hpp"
+
 namespace cnclab::lab {
 namespace {
 
 using R = RemoteStartRefusal;
 
-constexpr std::int64_t kSecond_ns = 1'000'000'000;
 constexpr std::int64_t kNow_ns = 1000 * kSecond_ns;
 constexpr machine::Epoch kLease{7};
 constexpr panel::RemoteStart kStart{.program = 1, .block = 5, .came_ns = kNow_ns - 10};

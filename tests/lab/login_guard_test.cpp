@@ -4,12 +4,11 @@
 #include <gtest/gtest.h>
 
 #include "lab/beats.hpp"
+#include "lab/clock.hpp"
 #include "lab/passwords.hpp"
 
 namespace cnclab::lab {
 namespace {
-
-constexpr std::int64_t kSecond_ns = 1'000'000'000;
 
 TEST(LoginGuard, SEC_003_FiveTriesAreFreeThenTheDelayDoublesUpToThirtySeconds) {
   LoginGuard guard;

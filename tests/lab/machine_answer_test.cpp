@@ -27,6 +27,15 @@ class MachineAnswer : public testing::Test, protected SmallLab {
     for (const Key key : struck) strike(eva_, key);
     ASSERT_TRUE(poll_until([this] { return eva_.handled == eva_.number; }));
   }
+  /// As `keys`, where the last of them is stored before it is handled.
+  void store_keys(std::initializer_list<Key> struck) {
+    for (const Key key : struck) strike(eva_, key);
+    settle_until([this] {
+      poll();
+      look(eva_);
+      return eva_.handled == eva_.number;
+    });
+  }
   [[nodiscard]] bool shows(const std::string& text) const {
     for (int row = 0; row < Screen::kRows; ++row)
       if (desk().view.screen.text(row).contains(text)) return true;
@@ -70,6 +79,45 @@ TEST_F(MachineAnswer, AFunctionOfHandeingabeWithoutAWayIsOverWhenItsStartIsHandl
   keys({Key::HANDEINGABE, Key::D1, Key::D8, Key::START, Key::D9, Key::D0, Key::START, Key::D1, Key::D9, Key::START});
   EXPECT_TRUE(shows("G19")) << "no key was lost behind a START";
   EXPECT_TRUE(shows("G90"));
+}
+
+TEST_F(MachineAnswer, DEC_39_ResetActsThroughTheLabsMenu) {
+  keys({Key::HAND, Key::FRAESER, Key::PLUS_X, Key::START});
+  ASSERT_TRUE(poll_until([this] { return desk().training()->snapshot().istwert_mm[0] > 1; }));
+  keys({Key::LABOR});
+  ASSERT_TRUE(desk().labor);
+  keys({Key::RESET});
+  EXPECT_FALSE(desk().labor);
+  EXPECT_EQ(desk().control.mode(), panel::Mode::menu);
+  EXPECT_TRUE(poll_until([this] { return is_at_rest(); }));
+  EXPECT_TRUE(shows("SPINDEL  ○"));
+}
+
+// DEC-59: keys that the control never sees come between C and →, too.
+TEST_F(MachineAnswer, DEC_59_TheLabsKeysEndWhatCHasBegun) {
+  store_keys({Key::EINGABE, Key::ENTER, Key::ENTER, Key::D0, Key::D0, Key::ENTER, Key::D1, Key::D0, Key::EINGABE});
+  keys({Key::MENU, Key::SPEICHER_LOESCHEN});
+  keys({Key::CLEAR, Key::MELDUNG, Key::MELDUNG, Key::ENTER});
+  keys({Key::CLEAR, Key::LABOR, Key::LABOR, Key::ENTER});
+  keys({Key::CLEAR, Key::MASCHINE_HALT, Key::MASCHINE_HALT, Key::ENTER});
+  EXPECT_EQ(desk().control.memory().programs().size(), 1U);
+  store_keys({Key::CLEAR, Key::ENTER});
+  EXPECT_TRUE(desk().control.memory().programs().empty());
+}
+
+// interfaces.md section 3: `key 2`, then `screen`. The lab's clock stands still, so no tick of it brings the picture.
+TEST_F(MachineAnswer, AViewOfGrafikStandsOnTheScreenWhenItsKeyIsHandled) {
+  store_keys({Key::EINGABE, Key::ENTER, Key::ENTER, Key::D0, Key::D0, Key::ENTER, Key::D1, Key::D0, Key::EINGABE});
+  keys({Key::MENU, Key::GRAFIK, Key::ENTER, Key::START});
+  ASSERT_TRUE(poll_until([this] { return shows("100 %  X-Y "); }));
+  for (int i = 0; i < 5; ++i) {
+    keys({Key::D2});
+    EXPECT_TRUE(shows("100 %  X-Z ")) << i;
+    keys({Key::D1});
+    EXPECT_TRUE(shows("100 %  X-Y ")) << i;
+  }
+  keys({Key::EINZELSATZ, Key::START});
+  EXPECT_TRUE(shows("P0001 N001 100 %  X-Y ")) << "the step is played when START is handled";
 }
 
 TEST_F(MachineAnswer, STO_007_TeachInIsRecordedOnTheTrainingMachineAndPlayedAgain) {

@@ -13,8 +13,6 @@ using testing::EndsWith;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-constexpr std::uint32_t kSeat = 7;
-
 class LabMedia : public testing::Test, protected SmallLab {
  protected:
   LabMedia() {
@@ -22,7 +20,7 @@ class LabMedia : public testing::Test, protected SmallLab {
       const db::Author eva{.name = "eva", .station = kSeat, .time_ms = 1};
       const auto put = [&](std::uint16_t program, std::uint16_t number) {
         const std::string block = "N" + std::to_string(1000 + number).substr(1) + "G04H9999";
-        database.put_block(database.person("eva")->id, program, {number, block, language::check_code(number, block)},
+        database.put_block(database.person("eva")->id, program, {number, block, language::check_code(program, block)},
                            eva);
       };
       put(1, 1);

@@ -33,6 +33,20 @@ TEST_F(RunOrderJson, STO_007_WhatWasWrittenIsReadAsTheSame) {
   EXPECT_EQ(order_json(*order, database_, eva_), good());
 }
 
+TEST_F(RunOrderJson, STO_007_ERR_010_DamagedBlocksStayDamaged) {
+  panel::RunOrder order;
+  for (language::ReadProgram& read :
+       language::read_tape("P0000T001R+5000L+0P0001N001G01X+1000N002G90", language::Reading::file).programs) {
+    read.program.blocks.back().is_damaged = true;
+    order.programs.put(std::move(read.program));
+  }
+  const auto again = order_of(order_json(order, database_, eva_), database_, eva_);
+  ASSERT_TRUE(again) << again.error();
+  EXPECT_TRUE(again->programs.has_damaged_row(1));
+  EXPECT_FALSE(again->programs.find(1)->blocks[0].is_damaged);
+  EXPECT_TRUE(again->programs.find(1)->blocks[1].is_damaged);
+}
+
 TEST_F(RunOrderJson, STO_007_AValueOutsideItsRangeIsRefusedByName) {
   struct Row {
     const char* place;

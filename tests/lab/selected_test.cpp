@@ -7,8 +7,6 @@
 namespace cnclab::lab {
 namespace {
 
-constexpr std::uint32_t kSeat = 7;
-
 class Selected : public testing::Test, protected SmallLab {
  protected:
   Selected() {

@@ -17,6 +17,9 @@
 
 namespace cnclab::lab {
 
+/// The seat that tests with one student sit at.
+inline constexpr std::uint32_t kSeat = 7;
+
 /// Keeps what it is told.
 struct FakePeer final : Peer {
   void send(const v1::ServerMessage& message) override { sent.push_back(message); }

@@ -137,12 +137,12 @@ TEST(Listing, WordsOfAnArcFollowThePlaneBefore_D_54) {
               testing::HasSubstr("N002 G02 X+...1.000 Z.....,... I.....,... K.....,...\n"));
 }
 
-struct LineRow {
+struct ListedRow {
   std::string_view id, line, tape;
 };
 
 TEST(Listing, EveryFormOfALine_EXT_005_SCR_012_to_016_SCR_051_to_053) {
-  constexpr LineRow kRows[] = {
+  constexpr ListedRow kRows[] = {
       {"EX-010 N001", "N001 G00 X+..50.000 Y+..50.000 Z+..50.000 (EILGANG)", "N001G00X+50000Y+50000Z+50000"},
       {"English text", "N001 G00 X+..50.000 Y.....,... Z.....,... (RAPID)", "N001G00X+50000"},
       {"no text", "N001 G00 X+..50.000 Y.....,... Z.....,...", "N001G00X+50000"},
@@ -175,7 +175,7 @@ TEST(Listing, EveryFormOfALine_EXT_005_SCR_012_to_016_SCR_051_to_053) {
       {"all words empty", "N001 G01 X..... Y..... Z..... F.... S.... T.. M..", "N001G01"},
       {"G18 words", "N001 G02 X+...1.000 Z+...2.000 I+...3.000 K-...4.000", "N001G02X+1000Z+2000I+3000K-4000"},
   };
-  for (const LineRow& row : kRows) {
+  for (const ListedRow& row : kRows) {
     const Tape tape = read_listing("P0001\n" + std::string(row.line) + "\n%\n");
     EXPECT_EQ(messages_of(tape), "") << row.id;
     EXPECT_EQ(programs_of(tape), "P0001\n" + std::string(row.tape) + "\n") << row.id;

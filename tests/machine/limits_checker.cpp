@@ -23,19 +23,19 @@ bool is_backing_off(const Snapshot& snapshot) {
   return snapshot.state == MotionState::stopping && !snapshot.started && snapshot.limit_axis < 4;
 }
 
-std::array<double, 4> axes_of(const geometry::Point& p) { return {p.x, p.y, p.z, p.u}; }
+std::array<double, 4> by_axis(const geometry::Point& p) { return {p.x, p.y, p.z, p.u}; }
 
 }  // namespace
 
 void LimitsChecker::begin_run(const std::array<std::int64_t, 4>& steps, const geometry::Point& start) {
   start_ = start;
   place_ = {path_.size(), 0, 0};
-  const auto mm = axes_of(start);
+  const auto mm = by_axis(start);
   for (std::size_t i = 0; i < 4; ++i) origin_[i] = steps[i] - std::llround(mm[i] * limits_.steps_per_mm[i]);
 }
 
 void LimitsChecker::anchor(const std::array<std::int64_t, 4>& steps, std::size_t index) {
-  const auto mm = axes_of(path_.end(index));
+  const auto mm = by_axis(path_.end(index));
   for (std::size_t i = 0; i < 4; ++i) origin_[i] = steps[i] - std::llround(mm[i] * limits_.steps_per_mm[i]);
 }
 
@@ -232,7 +232,7 @@ std::string LimitsChecker::joint_rule(const Tick& tick, const Place& place) cons
   std::size_t last = place_.index;
   for (std::size_t i = place_.index + 1; i <= place.index; ++i) {
     if (!path_.is_motion(i)) continue;
-    const auto in = axes_of(path_.heading(last, path_.length_mm(last))), out = axes_of(path_.heading(i, 0));
+    const auto in = by_axis(path_.heading(last, path_.length_mm(last))), out = by_axis(path_.heading(i, 0));
     for (std::size_t axis = 0; axis < 4; ++axis) {
       const double step = at_joint * std::abs(out[axis] - in[axis]);
       if (step > limits_.start_stop_mm_per_s * kRelative + kTiny) {

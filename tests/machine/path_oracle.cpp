@@ -16,11 +16,11 @@ using geometry::Point;
 
 constexpr double kFull = 2 * std::numbers::pi;
 
-struct Axes {
+struct PlaneAxes {
   double Point::*first, Point::*second, Point::*normal;
 };
 
-Axes axes_of(geometry::Plane plane) {
+PlaneAxes plane_axes(geometry::Plane plane) {
   switch (plane) {
     case geometry::Plane::xy:
       return {&Point::x, &Point::y, &Point::z};
@@ -50,7 +50,7 @@ PathOracle::PathOracle(std::vector<geometry::PathItem> items, const Point& start
       shape.length = size_of(minus(line->to, line->from));
       at = line->to;
     } else if (const auto* arc = std::get_if<Arc>(&item.what)) {
-      const Axes axes = axes_of(arc->plane);
+      const PlaneAxes axes = plane_axes(arc->plane);
       const double a = arc->from.*axes.first - arc->center.*axes.first;
       const double b = arc->from.*axes.second - arc->center.*axes.second;
       const double c = arc->to.*axes.first - arc->center.*axes.first;
@@ -92,7 +92,7 @@ PathOracle::Placement PathOracle::place(std::size_t index, const Point& point, d
     return {way, size_of(minus(here, foot))};
   }
   const auto& arc = std::get<Arc>(items_[index].what);
-  const Axes axes = axes_of(arc.plane);
+  const PlaneAxes axes = plane_axes(arc.plane);
   const double a = point.*axes.first - arc.center.*axes.first, b = point.*axes.second - arc.center.*axes.second;
   const double angle = turned(shape.sense * (std::atan2(b, a) - shape.begin_angle));
   constexpr double kRounding = 1e-9;
@@ -117,7 +117,7 @@ Point PathOracle::heading(std::size_t index, double way_mm) const {
     return {way.x / shape.length, way.y / shape.length, way.z / shape.length, way.u / shape.length};
   }
   const auto& arc = std::get<Arc>(items_[index].what);
-  const Axes axes = axes_of(arc.plane);
+  const PlaneAxes axes = plane_axes(arc.plane);
   const double part = way_mm / shape.length, angle = shape.begin_angle + shape.sense * part * shape.sweep;
   const double around = shape.sense * (shape.radius + part * shape.growth) * shape.sweep;
   const double size = std::hypot(around, shape.growth, shape.rise);

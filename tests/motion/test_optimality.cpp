@@ -9,6 +9,7 @@
 
 #include "path_rig.hpp"
 #include "reference_planner.hpp"
+#include "seeded.hpp"
 
 namespace cnclab::motion {
 namespace {
@@ -107,9 +108,6 @@ void PathBuilder::add(const Step& step) {
       items.push_back(item_of(geometry::Mark{}));
   }
 }
-
-/// The same cases in every run; RC_PARAMS in the environment asks for others.
-const bool kSeeded = setenv("RC_PARAMS", "seed=3300 max_success=200", 0) == 0;
 
 RC_GTEST_PROP(Optimality, TakesTheTimeOfTheReferencePlannerWithin1PerMille, ()) {
   RC_PRE(kSeeded);

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "path_rig.hpp"
+#include "seeded.hpp"
 
 namespace cnclab::motion {
 namespace {
@@ -168,9 +169,6 @@ RandomPath random_path(std::uint32_t seed, int count) {
   }
   return path;
 }
-
-/// The same cases in every run; RC_PARAMS in the environment asks for others.
-const bool kSeeded = setenv("RC_PARAMS", "seed=3300 max_success=200", 0) == 0;
 
 RC_GTEST_PROP(Planner, AnyPathUnderAnyOperatorKeepsEveryRuleAndEndsOnItsEnd, ()) {
   RC_PRE(kSeeded);

@@ -86,6 +86,44 @@ TEST_F(ExternalData, MachineDataComeBackOnlyWithTheSign_EXT_026_KEY_066) {
   EXPECT_THAT(bench.picture(), HasSubstr("500000"));
 }
 
+/// What the cassette, the diskette, the punched tape and the line would get has no mark for damage.
+TEST_F(ExternalData, ERR_004_ERR_010_DamagedBlocksDoNotLeave) {
+  Memory memory = bench.control.memory();
+  language::Program program = *memory.find(1);
+  program.blocks.at(1).is_damaged = true;
+  memory.put_program(program);
+  bench.control.replace_memory(memory);
+  for (const std::string keys : {"4 1 ENTER", "4 CLEAR ENTER", "3 1 ENTER", "2 1 ENTER", "2 CLEAR ENTER"}) {
+    SCOPED_TRACE(keys);
+    bench.keys("MENU EXTERNE_DATEN " + keys);
+    bench.run_for(200);
+    EXPECT_EQ(bench.monitor(15), "CHECKSUM FEHLER");
+    EXPECT_EQ(bench.row(18), "P0001 N002: Der Satz ist im Speicher beschädigt. Löschen und neu eingeben.");
+    EXPECT_TRUE(bench.media.empty());
+    EXPECT_FALSE(bench.control.recorder_runs());
+  }
+  bench.keys("MENU EXTERNE_DATEN 4 7 ENTER");
+  EXPECT_EQ(bench.media.size(), 1U) << "a sound program leaves";
+  bench.media.clear();
+  bench.keys("MENU EXTERNE_DATEN 1 1 ENTER");
+  EXPECT_EQ(bench.monitor(15), "CHECKSUM FEHLER");
+  bench.run_for(200);
+  ASSERT_TRUE(bench.media.contains("DRUCK-P0001.txt")) << "paper has a mark";
+  EXPECT_THAT(bench.media.at("DRUCK-P0001.txt"), HasSubstr("N002!G00"));
+}
+
+TEST_F(ExternalData, ERR_010_ADamagedToolRowDoesNotLeaveWithTheWholeMemory) {
+  Memory memory = bench.control.memory();
+  language::Program tools = *memory.find(0);
+  tools.blocks.front().is_damaged = true;
+  memory.put_program(tools);
+  bench.control.replace_memory(memory);
+  bench.keys("4 CLEAR ENTER");
+  EXPECT_EQ(bench.monitor(15), "CHECKSUM FEHLER");
+  EXPECT_THAT(bench.row(18), HasSubstr("P0000 T001: "));
+  EXPECT_TRUE(bench.media.empty());
+}
+
 // A file is read faster than a key is pressed: its machine data are chosen at the prompt.
 TEST_F(ExternalData, MachineDataOfAFileAreChosenAtThePrompt_EXT_026_KEY_066_MD_006) {
   constexpr std::string_view kChosen = "MIT MASCHINENDATEN (MD)";

@@ -189,6 +189,72 @@ TEST(Graphics, Row16NamesTheViewOfThePictureAboveIt) {
   EXPECT_FALSE(bench.control.is_busy());
 }
 
+// interfaces.md section 3: what a key has changed is contained in the next screen, so the key is handled with it.
+TEST(Graphics, AKeyIsHandledWhenItsPictureHasCome) {
+  Worker worker;
+  Bench bench({.settings = {.picture_work = worker.taking()}, .tape = std::string(kPart)});
+  const auto shows_after = [&](std::string_view keys, std::string_view text) {
+    bench.keys(keys);
+    EXPECT_TRUE(bench.control.awaits_effect()) << keys;
+    const std::uint64_t before = bench.control.indication().pictures;
+    worker.work();
+    bench.run_for(10);
+    EXPECT_FALSE(bench.control.awaits_effect()) << keys;
+    EXPECT_GT(bench.control.indication().pictures, before) << keys << ": the screen is due";
+    EXPECT_THAT(bench.monitor(15), HasSubstr(text)) << keys;
+  };
+  bench.keys("GRAFIK ENTER");
+  EXPECT_TRUE(bench.control.awaits_effect());
+  worker.work();
+  bench.run_for(10);
+  bench.keys("EINZELSATZ");
+  EXPECT_FALSE(bench.control.awaits_effect()) << "nothing to draw";
+  shows_after("START", "P0001 N001");
+  shows_after("START", "P0001 N002");
+  shows_after("2", "X-Z");
+  shows_after("PLUS_X", "X-Z");
+  bench.keys("EINZELSATZ START");
+  EXPECT_FALSE(bench.control.awaits_effect()) << "while it plays pictures come by themselves";
+}
+
+// The view that the picture on paper takes along answers the key as any other does.
+TEST(Graphics, APictureOnPaperLeavesNoKeyWaiting) {
+  Worker worker;
+  Bench bench({.settings = {.picture_work = worker.taking()}, .tape = std::string(kPart)});
+  bench.keys("GRAFIK ENTER");
+  worker.work();
+  bench.run_for(10);
+  bench.keys("2");
+  worker.work();
+  bench.control.order_picture();
+  bench.run_for(10);
+  worker.work();
+  bench.run_for(10);
+  EXPECT_FALSE(bench.control.awaits_effect());
+}
+
+TEST(Graphics, AStepThatComesWhileAPortionIsPlayedIsNotLost) {
+  Worker worker;
+  Bench bench({.settings = {.picture_work = worker.taking()}, .tape = std::string(kPart)});
+  bench.keys("GRAFIK ENTER EINZELSATZ START");  // the first picture is still under way
+  for (int i = 0; i < 3; ++i) {
+    worker.work();
+    bench.run_for(10);
+  }
+  EXPECT_THAT(bench.monitor(15), HasSubstr("P0001 N001"));
+}
+
+TEST(Graphics, DEC_37_EinzelsatzHasItsLampAndItsTime) {
+  Bench bench({.tape = std::string(kPart)});
+  bench.keys("GRAFIK ENTER");
+  EXPECT_THAT(bench.row(10), HasSubstr("EINZELS. ○"));
+  bench.keys("EINZELSATZ");
+  EXPECT_THAT(bench.row(10), HasSubstr("EINZELS. ●"));
+  bench.keys("START START START START START");
+  EXPECT_THAT(bench.monitor(15), HasSubstr("P0001 N005"));
+  EXPECT_THAT(bench.monitor(15), HasSubstr("Weg 35.000 mm  0:00:01")) << "10 mm at 1000 mm/min, 25 mm at F MAX";
+}
+
 TEST(Graphics, Row16HasRoomForTheNumberOfFindingsOnLongRuns) {
   Bench bench({.tape = "P0001N001G22P0002N001W24%P0002N001G22P0003N001W99%"
                        "P0003N001G00X+200000N002G00X-200000%"});  // 2500 times 400 mm

@@ -266,6 +266,7 @@ TEST(Keys, DEC_01_EveryPlaceHasASentenceAndItsKeysBelow) {
       for (int row = 19; row < 24; ++row) below += bench.row(row) + " ";
       for (const KeyRow& entry : key_table()) {
         if (entry.place != scene.place || !has_row(entry, setup.settings.vocabulary)) continue;
+        if (entry.effect == Effect::erase_block && scene.keys.find("SATZ_SUCHEN") == std::string_view::npos) continue;
         const std::string help(text(entry.help, tongue));
         EXPECT_TRUE(below.contains(help)) << help << " is missing in\n" << bench.picture();
       }

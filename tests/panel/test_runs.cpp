@@ -182,6 +182,13 @@ TEST(Runs, DEC_27_TheFirstStartInG90UnderALeaseAsksForTheZero) {
   bench.keys("EINZELSATZ EINZELSATZ START");
   bench.run_for(200);
   EXPECT_FALSE(bench.control.is_running()) << "another key between: asked again";
+  bench.keys("HAND START");
+  bench.run_for(200);
+  EXPECT_FALSE(bench.control.is_running()) << "one without effect is another key, too";
+  bench.control.note_labs_key();
+  bench.keys("START");
+  bench.run_for(200);
+  EXPECT_FALSE(bench.control.is_running()) << "and so is one of the lab's";
   bench.keys("START");
   ASSERT_TRUE(bench.run_to_rest());
   EXPECT_EQ(bench.istwert(0), 2);

@@ -254,5 +254,28 @@ TEST(Reset, DEC_39_ResetActsInEveryStateAndEndsALease) {
   }
 }
 
+/// What begins the control anew: its status line says M12, and that is what the machine does.
+constexpr std::string_view kBeginnings[] = {"SPEICHER_LOESCHEN CLEAR ENTER", "3+6+9 SPEICHER_LOESCHEN RESET", "RESET",
+                                            "DOWN+RESET"};
+
+TEST(Service, MOD_078_D_121_D_12_BeginningAnewSwitchesSpindleAndCoolantOff) {
+  for (const std::string_view keys : kBeginnings) {
+    SCOPED_TRACE(std::string(keys));
+    Bench bench({.tape = std::string(kBild7)});
+    bench.keys("HANDEINGABE 1 1 ENTER ENTER ENTER ENTER 1 4 START");
+    ASSERT_TRUE(bench.run_to_rest());
+    ASSERT_EQ(bench.snapshot().spindle, geometry::SpindleTurn::counterclockwise);
+    ASSERT_TRUE(bench.snapshot().coolant);
+    bench.keys("MENU");
+    bench.keys(keys);
+    bench.run_for(50);
+    EXPECT_EQ(bench.snapshot().spindle, geometry::SpindleTurn::off);
+    EXPECT_FALSE(bench.snapshot().coolant);
+    bench.keys("MENU HAND FRAESER");
+    bench.run_for(50);
+    EXPECT_EQ(bench.snapshot().spindle, geometry::SpindleTurn::clockwise) << "the direction of switching on";
+  }
+}
+
 }  // namespace
 }  // namespace cnclab::panel

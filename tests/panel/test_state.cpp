@@ -43,6 +43,9 @@ constexpr Kept kKept[] = {
     {"hand input, half a word", "HANDEINGABE ENTER ENTER", "-12.3"},
     {"teach in prompt", "TEACH_IN CLEAR", "4"},
     {"teach in", "TEACH_IN ENTER", ""},
+    {"grafik prompt", "GRAFIK CLEAR", "4"},
+    {"machine data, the clock", "ENTER+RESET", ""},
+    {"machine data, half a value", "ENTER+RESET ENTER ENTER ENTER ENTER ENTER", "12"},
     {"teach in, half a word", "TEACH_IN ENTER ENTER ENTER ENTER ENTER", "12"},
 };
 
@@ -81,6 +84,76 @@ TEST(State, SEAT_004_ModalStateIstwertAndPotentiometerComeBackInStop) {
   EXPECT_TRUE(after.monitor(2).contains("G90 F0600 S0000 T03 M03")) << after.monitor(2);
   EXPECT_TRUE(after.monitor(2).contains("X  +0012.5")) << after.monitor(2);
   EXPECT_EQ(after.snapshot().spindle, geometry::SpindleTurn::off);
+}
+
+/// What a CNC 3300 has in force, kept; then the instructor makes it a CNC 3250.
+struct KeptBy3300 {
+  std::string_view name, keys, requirement;
+};
+
+constexpr KeptBy3300 kKeptBy3300[] = {
+    {"G90", "HANDEINGABE 9 0 START", "MODEL-010"},
+    {"G18", "HANDEINGABE 1 8 START", "MODEL-009"},
+    {"G43", "HANDEINGABE 1 1 ENTER 6 0 0 ENTER ENTER 0 1 START MENU HANDEINGABE 4 3 START", "MODEL-009"},
+    {"G46", "HANDEINGABE 1 1 ENTER 6 0 0 ENTER ENTER 0 1 START MENU HANDEINGABE 4 6 START", "MODEL-009"},
+    {"GRAFIK", "GRAFIK", "MODEL-003"},
+};
+
+TEST(State, MODEL_003_MODEL_007_MODEL_009_MODEL_010_ADifferentModelKeepsOnlyWhatItHas) {
+  constexpr std::string_view kTools = "P0000T001R+5000L+2000P0001N001G01X+1000%";
+  for (const KeptBy3300& kept : kKeptBy3300) {
+    SCOPED_TRACE(std::string(kept.name) + " " + std::string(kept.requirement));
+    Bench before({.tape = std::string(kTools)});
+    std::string keys(kept.keys);
+    for (std::size_t from = 0, at = 0; at != std::string::npos; from = at + 6) {
+      at = keys.find(" START", from);
+      before.keys(keys.substr(from, at == std::string::npos ? at : at + 6 - from));
+      ASSERT_TRUE(before.run_to_rest());
+      if (at == std::string::npos) break;
+    }
+    Settings small;
+    small.vocabulary.model = language::Model::cnc3250;
+    Bench after({.settings = small, .tape = std::string(kTools)});
+    after.control.restore_state(before.control.save_state());
+    after.run_for(20);
+    after.keys("MENU HANDEINGABE");
+    ASSERT_EQ(after.control.mode(), Mode::hand_input);
+    after.keys("0 0 ENTER 1 0 START");
+    ASSERT_TRUE(after.run_to_rest());
+    after.keys("MENU HANDEINGABE 0 0 ENTER 1 0 START");
+    ASSERT_TRUE(after.run_to_rest());
+    EXPECT_EQ(after.istwert(0), 20) << "two ways of 10 mm, incremental and uncompensated";
+  }
+}
+
+TEST(State, MODEL_003_A3250DoesNotComeUpInGrafik) {
+  Bench before({.tape = std::string(kBild7)});
+  before.keys("GRAFIK");
+  ASSERT_EQ(before.control.mode(), Mode::graphics);
+  Settings small;
+  small.vocabulary.model = language::Model::cnc3250;
+  Bench after({.settings = small, .tape = std::string(kBild7)});
+  after.control.restore_state(before.control.save_state());
+  EXPECT_EQ(after.control.mode(), Mode::menu);
+}
+
+TEST(State, STO_001_DEC_10_AClockOfItsOwnGoesOnFromWhereItStood) {
+  Bench before;
+  before.now.wall = {0, 0, 0, 0, 0, 0};  // [control] clock = "original"
+  before.keys("ENTER+RESET");
+  before.type("101112");
+  before.keys("ENTER");
+  before.type("830711");
+  before.keys("ENTER MENU");
+  before.run_for(1500);
+  Bench after;
+  after.now.wall = before.now.wall;
+  after.now.monotonic_ns = 99'000'000'000;
+  after.control.restore_state(before.control.save_state());
+  after.run_for(20);
+  EXPECT_TRUE(after.row(1).contains("10:11:13 11/07/83")) << after.row(1);
+  after.run_for(3000);
+  EXPECT_TRUE(after.row(1).contains("10:11:16 11/07/83")) << after.row(1);
 }
 
 constexpr std::string_view kBroken[] = {

@@ -155,6 +155,68 @@ TEST(TeachIn, MOD_043_ATaughtProgramReplaysToTheTaughtPlaces) {
   EXPECT_NEAR(bench.istwert(1), y, 1e-9);
 }
 
+/// What gives the counters other names between two taught blocks; the axes end where they began, or the way is known.
+struct Renaming {
+  std::string_view name, keys;
+};
+
+constexpr Renaming kRenamings[] = {
+    {"ISTWERT", "HAND ISTWERT PLUS_X 1 0 0 PLUS_Y MENU"},
+    {"G68 in HANDEINGABE", "MENU HANDEINGABE 6 8 ENTER 5 0 START"},
+    {"G68 in AUTOMAT", "MENU AUTOMAT CLEAR 9 ENTER ENTER START"},
+};
+
+TEST(TeachIn, MOD_043_MOD_038_ACounterThatIsSetAnewIsNoWay) {
+  for (const auto& [name, keys] : kRenamings) {
+    SCOPED_TRACE(std::string(name));
+    Bench bench({.tape = "P0009N001G68X+77000Y+88000Z+99000%"});
+    bench.keys("TEACH_IN CLEAR 6 1 ENTER");
+    jog(bench, "PLUS_X", 0, 5);
+    bench.keys("EINGABE");
+    const double x = bench.istwert(0);
+    bench.keys(keys);
+    ASSERT_TRUE(bench.run_to_rest());
+    ASSERT_GT(std::abs(bench.istwert(0) - x), 1) << "the counter has another value";
+    bench.keys("MENU TEACH_IN CLEAR 6 1 ENTER");
+    const double y = bench.istwert(1);
+    jog(bench, "PLUS_Y", 1, 5);
+    bench.keys("EINGABE");
+    EXPECT_TRUE(tape_of(bench, 61).ends_with("N002G01Y+" + um(bench.istwert(1) - y) + " ")) << tape_of(bench, 61);
+  }
+}
+
+TEST(TeachIn, MOD_043_TheWayToTheReferencePointIsTheOneDriven) {
+  Bench bench;
+  bench.keys("TEACH_IN CLEAR 6 1 ENTER");
+  jog(bench, "PLUS_X", 0, 5);
+  bench.keys("EINGABE");
+  const std::int64_t before = bench.snapshot().steps[1];
+  bench.keys("HAND MINUS_Y REFERENZ");
+  ASSERT_TRUE(bench.run_to_rest());
+  bench.keys("TEACH_IN CLEAR 6 1 ENTER");
+  jog(bench, "PLUS_Y", 1, 5);
+  bench.keys("EINGABE");
+  constexpr std::int64_t kUmPerStep = 5;
+  const std::string way = std::to_string((bench.snapshot().steps[1] - before) * kUmPerStep);
+  EXPECT_TRUE(tape_of(bench, 61).ends_with("N002G01Y" + way + " ")) << tape_of(bench, 61);
+}
+
+TEST(TeachIn, MOD_043_SEAT_002_TheLastStoredPositionOutlivesALogin) {
+  Bench before;
+  before.keys("TEACH_IN CLEAR 6 1 ENTER");
+  jog(before, "PLUS_X", 0, 5);
+  before.keys("EINGABE HAND ISTWERT PLUS_X 1 0 0 MENU");
+  before.run_for(20);
+  const std::string tape = "P0061" + language::write_block(before.control.memory().find(61)->blocks.front()) + "%";
+  Bench after({.tape = tape});
+  after.control.restore_state(before.control.save_state());
+  after.run_for(20);
+  after.keys("TEACH_IN CLEAR 6 1 ENTER");
+  jog(after, "PLUS_X", 0, 5);
+  after.keys("EINGABE");
+  EXPECT_TRUE(tape_of(after, 61).ends_with("N002G01X+" + um(after.istwert(0) - 100) + " ")) << tape_of(after, 61);
+}
+
 TEST(TeachIn, DEC_06_D_50_NumbersThatCannotBeTaught) {
   for (const auto& [number, monitor] : {std::pair{"9983", "Reserviert fuer Zyklen"}, {"0", "Programmnummer falsch"}}) {
     Bench bench;

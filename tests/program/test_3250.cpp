@@ -5,6 +5,7 @@
 #include <set>
 
 #include "program/check_programs.hpp"
+#include "program/rebuild_modal.hpp"
 #include "run_text.hpp"
 
 namespace cnclab::program {
@@ -139,6 +140,28 @@ TEST(Cnc3250, IsCheckedWithItsOwnVocabulary_MODEL002) {
     blocks.push_back(error.block);
   }
   EXPECT_THAT(blocks, testing::ElementsAre(1, 3, 4));
+}
+
+/// Kept by a control that was a CNC 3300 until the instructor changed its model.
+TEST(Model3250, MODEL_007_MODEL_009_MODEL_010_AStateOfThe3300LosesWhatNothingCouldSwitchOff) {
+  ModalState kept;
+  kept.plane = geometry::Plane::yz;
+  kept.radius = RadiusCompensation::plus;
+  kept.tool_radius = {5000};
+  kept.length_compensation = true;
+  kept.tool_length = {1000};
+  kept.scale_on = true;
+  kept.scale = {2000, 1000, 1000};
+  kept.dimension = Dimension::absolute;
+  kept.feed_mm_per_min = 600;
+  kept.tool = 1;
+  EXPECT_EQ(within(kept, {}), kept) << "the CNC 3300 has it all";
+  ModalState left;
+  left.scale_on = true;  // G75 is there
+  left.scale = kept.scale;
+  left.feed_mm_per_min = 600;
+  left.tool = 1;
+  EXPECT_EQ(within(kept, kCnc3250.vocabulary), left);
 }
 
 }  // namespace

@@ -201,7 +201,7 @@ TEST_P(HelixPitch, ZPulsesMustBeFewerThanThoseOfXAndY_D65) {
       EXPECT_FALSE(run.error) << function;
       continue;
     }
-    EXPECT_EQ(run.code(), ErrorCode::arc_wrong) << function;
+    EXPECT_EQ(run.code(), ErrorCode::helix_too_steep) << function;
     EXPECT_EQ(run.error->word, 'Z');
   }
 }
@@ -224,17 +224,17 @@ TEST(HelixPitchSteps, CountInTheirOwnAxes_D65) {
   constexpr auto kHalfTurn = "P0001N001G11F0500N002G07X+10000Y+0I+5000J+0Z+9995%";
   EXPECT_FALSE(run_text(kHalfTurn, 9, {}, settings).error);
   settings.steps_per_mm = {200, 200, 402, 200};
-  EXPECT_EQ(run_text(kHalfTurn, 9, {}, settings).code(), ErrorCode::arc_wrong);
+  EXPECT_EQ(run_text(kHalfTurn, 9, {}, settings).code(), ErrorCode::helix_too_steep);
 }
 
-struct ErrorRow {
+struct ArcErrorRow {
   const char* name;
   const char* text;
   ErrorCode code;
   char word;
 };
 
-class ArcErrors : public testing::TestWithParam<ErrorRow> {};
+class ArcErrors : public testing::TestWithParam<ArcErrorRow> {};
 
 TEST_P(ArcErrors, StopBeforeTheArcMoves) {
   const RunResult run = run_text(GetParam().text);
@@ -246,35 +246,58 @@ TEST_P(ArcErrors, StopBeforeTheArcMoves) {
 INSTANTIATE_TEST_SUITE_P(
     , ArcErrors,
     testing::Values(
-        ErrorRow{"D66_R_below_half_the_chord", "P0001N001G05X+10005Y+0R+5002F0500%", ErrorCode::arc_wrong, 'R'},
-        ErrorRow{"D66_size_of_negative_R_below_half_the_chord", "P0001N001G06X+10005Y+0R-5002F0500%",
-                 ErrorCode::arc_wrong, 'R'},
-        ErrorRow{"D66_scaled_alike_it_stays_too_small", "P0001N001G75X+3000Y-3000N002G06X+10005Y+0R+5002F0500%",
-                 ErrorCode::arc_wrong, 'R'},
-        ErrorRow{"D66_R_of_nothing", "P0001N001G05X+10000Y+0R+0F0500%", ErrorCode::arc_wrong, 'R'},
-        ErrorRow{"DEC04_no_full_circle_without_centre", "P0001N001G05X+0Y+0R+5000F0500%", ErrorCode::arc_wrong, 'R'},
-        ErrorRow{"D59_G05_without_F", "P0001N001G05X+10000Y+0R+5000%", ErrorCode::feed_missing, 'F'},
-        ErrorRow{"D45_G06_without_R", "P0001N001G06X+10000Y+0F0500%", ErrorCode::word_missing, 'R'},
-        ErrorRow{"D45_G05_without_Y", "P0001N001G05X+10000R+5000F0500%", ErrorCode::word_missing, 'Y'},
-        ErrorRow{"D54_G05_of_another_plane", "P0001N001G19N002G05X+10000Y+0R+5000F0500%", ErrorCode::plane_wrong, 'G'},
-        ErrorRow{"D68_G05_with_unequal_factors", "P0001N001G75X+2000N002G05X+10000Y+0R+5000F0500%",
-                 ErrorCode::scale_not_allowed, 'G'},
-        ErrorRow{"DEC64_G07_under_G18", "P0001N001G11F0500N002G18N003G07X+10000Y+0I+5000J+0Z+1000%",
-                 ErrorCode::plane_wrong, 'G'},
-        ErrorRow{"DEC64_G08_under_G19", "P0001N001G11F0500N002G19N003G08X+10000Y+0I+5000J+0Z+1000%",
-                 ErrorCode::plane_wrong, 'G'},
-        ErrorRow{"D55_helix_off_its_circle", "P0001N001G11F0500N002G07X+10021Y+0I+5000J+0Z+1000%", ErrorCode::arc_wrong,
-                 'I'},
-        ErrorRow{"BLK107_helix_without_Z", "P0001N001G11F0500N002G07X+10000Y+0I+5000J+0%", ErrorCode::word_missing,
-                 'Z'},
-        ErrorRow{"D59_G07_without_F", "P0001N001G07X+10000Y+0I+5000J+0Z+1000%", ErrorCode::feed_missing, 'F'},
-        ErrorRow{"D68_helix_with_unequal_factors", "P0001N001G11F0500N002G75X+2000N003G07X+10000Y+0I+5000J+0Z+1000%",
-                 ErrorCode::scale_not_allowed, 'G'},
-        ErrorRow{"D66_rounding_without_radius", "P0001N001G10R+0%", ErrorCode::word_out_of_range, 'R'},
-        ErrorRow{"D66_rounding_with_negative_radius", "P0001N001G10R-1000%", ErrorCode::word_out_of_range, 'R'},
-        ErrorRow{"D68_rounding_with_unequal_factors", "P0001N001G75X+2000N002G10R+1000%", ErrorCode::scale_not_allowed,
-                 'G'}),
+        ArcErrorRow{"D66_R_below_half_the_chord", "P0001N001G05X+10005Y+0R+5002F0500%", ErrorCode::radius_too_small,
+                    'R'},
+        ArcErrorRow{"D66_size_of_negative_R_below_half_the_chord", "P0001N001G06X+10005Y+0R-5002F0500%",
+                    ErrorCode::radius_too_small, 'R'},
+        ArcErrorRow{"D66_scaled_alike_it_stays_too_small", "P0001N001G75X+3000Y-3000N002G06X+10005Y+0R+5002F0500%",
+                    ErrorCode::radius_too_small, 'R'},
+        ArcErrorRow{"D66_R_of_nothing", "P0001N001G05X+10000Y+0R+0F0500%", ErrorCode::radius_too_small, 'R'},
+        ArcErrorRow{"DEC04_no_full_circle_without_centre", "P0001N001G05X+0Y+0R+5000F0500%", ErrorCode::arc_without_way,
+                    'R'},
+        ArcErrorRow{"D59_G05_without_F", "P0001N001G05X+10000Y+0R+5000%", ErrorCode::feed_missing, 'F'},
+        ArcErrorRow{"D45_G06_without_R", "P0001N001G06X+10000Y+0F0500%", ErrorCode::word_missing, 'R'},
+        ArcErrorRow{"D45_G05_without_Y", "P0001N001G05X+10000R+5000F0500%", ErrorCode::word_missing, 'Y'},
+        ArcErrorRow{"D54_G05_of_another_plane", "P0001N001G19N002G05X+10000Y+0R+5000F0500%", ErrorCode::plane_wrong,
+                    'G'},
+        ArcErrorRow{"D68_G05_with_unequal_factors", "P0001N001G75X+2000N002G05X+10000Y+0R+5000F0500%",
+                    ErrorCode::scale_unequal, 'G'},
+        ArcErrorRow{"DEC64_G07_under_G18", "P0001N001G11F0500N002G18N003G07X+10000Y+0I+5000J+0Z+1000%",
+                    ErrorCode::plane_wrong, 'G'},
+        ArcErrorRow{"DEC64_G08_under_G19", "P0001N001G11F0500N002G19N003G08X+10000Y+0I+5000J+0Z+1000%",
+                    ErrorCode::plane_wrong, 'G'},
+        ArcErrorRow{"D55_helix_off_its_circle", "P0001N001G11F0500N002G07X+10021Y+0I+5000J+0Z+1000%",
+                    ErrorCode::arc_wrong, 'I'},
+        ArcErrorRow{"BLK107_helix_without_Z", "P0001N001G11F0500N002G07X+10000Y+0I+5000J+0%", ErrorCode::word_missing,
+                    'Z'},
+        ArcErrorRow{"D59_G07_without_F", "P0001N001G07X+10000Y+0I+5000J+0Z+1000%", ErrorCode::feed_missing, 'F'},
+        ArcErrorRow{"D68_helix_with_unequal_factors", "P0001N001G11F0500N002G75X+2000N003G07X+10000Y+0I+5000J+0Z+1000%",
+                    ErrorCode::scale_unequal, 'G'},
+        ArcErrorRow{"D66_rounding_without_radius", "P0001N001G10R+0%", ErrorCode::word_out_of_range, 'R'},
+        ArcErrorRow{"D66_rounding_with_negative_radius", "P0001N001G10R-1000%", ErrorCode::word_out_of_range, 'R'},
+        ArcErrorRow{"D68_rounding_with_unequal_factors", "P0001N001G75X+2000N002G10R+1000%", ErrorCode::scale_unequal,
+                    'G'}),
     [](const auto& row) { return std::string(row.param.name); });
+
+struct SentenceRow {
+  const char* text;
+  const char* sentence;
+};
+
+TEST(ArcSentences, NameWordValueAndLimit_DEC01) {
+  constexpr SentenceRow kRows[] = {
+      {"P0001N001G05X+10000Y+0R+4999F0500%", "R 4.999 does not reach the end point, right: R >= 5.000."},
+      {"P0001N001G06X+10001Y+0R-5000F0500%", "R -5.000 does not reach the end point, right: R <= -5.001."},
+      {"P0001N001G05X+0Y+0R+5000F0500%", "R 5.000: end point is the start point. Full circle by G02 or G03."},
+      {"P0001N001G11F0500N002G75X+2000Y+1000N003G02X+10000Y+0I+5000J+0%",
+       "G75 X 2.000 Y 1.000: an arc needs equal scale factors. Change G75."},
+  };
+  for (const SentenceRow& row : kRows) {
+    const RunResult run = run_text(row.text);
+    ASSERT_TRUE(run.error) << row.text;
+    EXPECT_THAT(language::message_of(*run.error, language::Tongue::english), testing::StartsWith(row.sentence));
+  }
+}
 
 TEST(Corner, IsAnOrderBetweenItsTwoWays_G100) {
   const RunResult run =

@@ -20,8 +20,6 @@ using language::Word;
 
 int any_of(int least, int most) { return *rc::gen::inRange(least, most + 1); }
 
-Word word(Address address, int number) { return {.address = address, .is_parameter = false, .number = number}; }
-
 Block block(int number, int code, language::Words words = {}) {
   return {.number = static_cast<std::uint16_t>(number),
           .function = {Function::Kind::g, static_cast<std::uint8_t>(code)},

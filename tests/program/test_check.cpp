@@ -61,6 +61,8 @@ INSTANTIATE_TEST_SUITE_P(
                Faults{"P0001 N002", "P0001 N004"}},
         DryRow{"a_missing_F_is_said_once", "P0001N001G01X+1000N002G01X+1000N003G02X+9000Y+0I+5000J+0%",
                Faults{"P0001 N001", "P0001 N003"}},
+        DryRow{"an_F_above_F_MAX_is_said_once", "P0001N001G11F9999N002G01X+1000N003G01X+1000T05M03%",
+               Faults{"P0001 N001"}},
         DryRow{"the_F_of_a_faulty_block_counts", "P0001N001G05X+9000Y+0R+1000F0500N002G01X+1000%",
                Faults{"P0001 N001"}},
         DryRow{"what_follows_begins_at_its_target",

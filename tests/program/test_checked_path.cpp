@@ -117,7 +117,7 @@ TEST(CheckedPath, ACutBeforeAnErrorOfABlockCounts) {
   const std::string good(kSquare.substr(0, kSquare.find("N007")));
   const Checked checked = run(with_tool(good + "N007G18"));
   ASSERT_TRUE(checked.error);
-  EXPECT_EQ(checked.error->code, ErrorCode::plane_wrong);
+  EXPECT_EQ(checked.error->code, ErrorCode::plane_locked);
   EXPECT_EQ(checked.items.back().source.block, 6) << "what came before is right";
 }
 

@@ -201,7 +201,7 @@ TEST(CompensationStart, TellsTheStagesWhatIsInForce_D75) {
 TEST(CompensationStart, InTheMiddleIsThatOfTheBlocksBefore_DEC26) {
   const ProgramSet programs =
       programs_of(std::string(kTools) + "P0001N001G11T01N002G42N003G11T02N004G46N005G17N006G40N007G45N008G43N009G17%");
-  const auto modal = [&](std::uint16_t block) { return rebuild_modal(programs, *programs.find(1), block, {}); };
+  const auto modal = [&](std::uint16_t block) { return rebuild_modal(programs, *programs.find(1), block, {}).value(); };
   EXPECT_EQ(modal(5).radius, RadiusCompensation::right);
   EXPECT_EQ(modal(5).tool_radius.value, 5000);
   EXPECT_TRUE(modal(5).length_compensation);
@@ -213,14 +213,14 @@ TEST(CompensationStart, InTheMiddleIsThatOfTheBlocksBefore_DEC26) {
   EXPECT_EQ(modal(9).tool_radius.value, 2500);
 }
 
-struct ErrorRow {
+struct OffsetErrorRow {
   const char* name;
   const char* text;
   ErrorCode code;
   int block;
 };
 
-class CompensationErrors : public testing::TestWithParam<ErrorRow> {};
+class CompensationErrors : public testing::TestWithParam<OffsetErrorRow> {};
 
 TEST_P(CompensationErrors, NameTheBlock) {
   const RunResult run = run_with_tools(GetParam().text);
@@ -230,42 +230,41 @@ TEST_P(CompensationErrors, NameTheBlock) {
 
 INSTANTIATE_TEST_SUITE_P(
     , CompensationErrors,
-    testing::Values(ErrorRow{"D69_plane_under_G41", "P0001N001G41N002G18%", ErrorCode::plane_wrong, 2},
-                    ErrorRow{"D69_plane_under_G42", "P0001N001G42N002G19%", ErrorCode::plane_wrong, 2},
-                    ErrorRow{"D69_plane_under_G43", "P0001N001G43N002G19%", ErrorCode::plane_wrong, 2},
-                    ErrorRow{"D69_plane_under_G44", "P0001N001G44N002G19%", ErrorCode::plane_wrong, 2},
-                    ErrorRow{"D69_plane_under_G46", "P0001N001G46N002G18%", ErrorCode::plane_wrong, 2},
-                    ErrorRow{"D69_back_to_G17", "P0001N001G18N002G46N003G17%", ErrorCode::plane_wrong, 3},
-                    ErrorRow{"D64_G68_under_G41", "P0001N001G41N002G68X+0%", ErrorCode::compensation_impossible, 2},
-                    ErrorRow{"D64_G68_under_G42", "P0001N001G42N002G68X+0%", ErrorCode::compensation_impossible, 2},
-                    ErrorRow{"D64_G68_under_G43", "P0001N001G43N002G68X+0%", ErrorCode::compensation_impossible, 2},
-                    ErrorRow{"D64_G68_under_G44", "P0001N001G44N002G68X+0%", ErrorCode::compensation_impossible, 2},
-                    ErrorRow{"D64_G68_under_G46", "P0001N001G46N002G68X+0%", ErrorCode::compensation_impossible, 2},
-                    ErrorRow{"D64_G69_under_G41", "P0001N001G41N002G69X+0%", ErrorCode::compensation_impossible, 2},
-                    ErrorRow{"D64_G69_under_G46", "P0001N001G46N002G69Z-1000%", ErrorCode::compensation_impossible, 2},
-                    ErrorRow{"D64_G68_before_the_contour_is_left",
-                             "P0001N001G11T01F0100N002G41N003G01X+1000N004G40N005G68X+0%",
-                             ErrorCode::compensation_impossible, 5},
-                    ErrorRow{"D64_G68_before_an_axis_is_left",
-                             "P0001N001G11T01F0100N002G43N003G01X+1000Y+1000N004G40N005G01X+1000N006G68X+0%",
-                             ErrorCode::compensation_impossible, 6},
-                    ErrorRow{"D64_G69_before_the_length_is_left",
-                             "P0001N001G11T01F0100N002G46N003G01Z-1000N004G45N005G69X-1000%",
-                             ErrorCode::compensation_impossible, 5},
-                    ErrorRow{"D64_G68_before_the_plane_that_was_left",
-                             "P0001N001G11T01F0100N002G41N003G01X+1000N004G40N005G18N006G01Z+1N007G68X+0%",
-                             ErrorCode::compensation_impossible, 7},
-                    ErrorRow{"D64_G68_after_G43_stood_still",
-                             "P0001N001G11T01F0100N002G43N003G01X+1000N004G01X+0N005G40N006G68X+0%",
-                             ErrorCode::compensation_impossible, 6},
-                    ErrorRow{"D68_G75_under_G41", "P0001N001G41N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
-                    ErrorRow{"D68_G75_under_G42", "P0001N001G42N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
-                    ErrorRow{"D68_G75_under_G43", "P0001N001G43N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
-                    ErrorRow{"D68_G75_under_G44", "P0001N001G44N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
-                    ErrorRow{"D68_G75_under_G46", "P0001N001G46N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
-                    ErrorRow{"COMP018_G41_under_G75", "P0001N001G75X-1000N002G41%", ErrorCode::scale_not_allowed, 2},
-                    ErrorRow{"COMP018_G44_under_G75", "P0001N001G75X-1000N002G44%", ErrorCode::scale_not_allowed, 2},
-                    ErrorRow{"COMP018_G46_under_G75", "P0001N001G75X-1000N002G46%", ErrorCode::scale_not_allowed, 2}),
+    testing::Values(
+        OffsetErrorRow{"D69_plane_under_G41", "P0001N001G41N002G18%", ErrorCode::plane_locked, 2},
+        OffsetErrorRow{"D69_plane_under_G42", "P0001N001G42N002G19%", ErrorCode::plane_locked, 2},
+        OffsetErrorRow{"D69_plane_under_G43", "P0001N001G43N002G19%", ErrorCode::plane_locked, 2},
+        OffsetErrorRow{"D69_plane_under_G44", "P0001N001G44N002G19%", ErrorCode::plane_locked, 2},
+        OffsetErrorRow{"D69_plane_under_G46", "P0001N001G46N002G18%", ErrorCode::plane_locked, 2},
+        OffsetErrorRow{"D69_back_to_G17", "P0001N001G18N002G46N003G17%", ErrorCode::plane_locked, 3},
+        OffsetErrorRow{"D64_G68_under_G41", "P0001N001G41N002G68X+0%", ErrorCode::compensation_impossible, 2},
+        OffsetErrorRow{"D64_G68_under_G42", "P0001N001G42N002G68X+0%", ErrorCode::compensation_impossible, 2},
+        OffsetErrorRow{"D64_G68_under_G43", "P0001N001G43N002G68X+0%", ErrorCode::compensation_impossible, 2},
+        OffsetErrorRow{"D64_G68_under_G44", "P0001N001G44N002G68X+0%", ErrorCode::compensation_impossible, 2},
+        OffsetErrorRow{"D64_G68_under_G46", "P0001N001G46N002G68X+0%", ErrorCode::compensation_impossible, 2},
+        OffsetErrorRow{"D64_G69_under_G41", "P0001N001G41N002G69X+0%", ErrorCode::compensation_impossible, 2},
+        OffsetErrorRow{"D64_G69_under_G46", "P0001N001G46N002G69Z-1000%", ErrorCode::compensation_impossible, 2},
+        OffsetErrorRow{"D64_G68_before_the_contour_is_left",
+                       "P0001N001G11T01F0100N002G41N003G01X+1000N004G40N005G68X+0%", ErrorCode::offset_not_left, 5},
+        OffsetErrorRow{"D64_G68_before_an_axis_is_left",
+                       "P0001N001G11T01F0100N002G43N003G01X+1000Y+1000N004G40N005G01X+1000N006G68X+0%",
+                       ErrorCode::offset_not_left, 6},
+        OffsetErrorRow{"D64_G69_before_the_length_is_left",
+                       "P0001N001G11T01F0100N002G46N003G01Z-1000N004G45N005G69X-1000%", ErrorCode::offset_not_left, 5},
+        OffsetErrorRow{"D64_G68_before_the_plane_that_was_left",
+                       "P0001N001G11T01F0100N002G41N003G01X+1000N004G40N005G18N006G01Z+1N007G68X+0%",
+                       ErrorCode::offset_not_left, 7},
+        OffsetErrorRow{"D64_G68_after_G43_stood_still",
+                       "P0001N001G11T01F0100N002G43N003G01X+1000N004G01X+0N005G40N006G68X+0%",
+                       ErrorCode::offset_not_left, 6},
+        OffsetErrorRow{"D68_G75_under_G41", "P0001N001G41N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
+        OffsetErrorRow{"D68_G75_under_G42", "P0001N001G42N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
+        OffsetErrorRow{"D68_G75_under_G43", "P0001N001G43N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
+        OffsetErrorRow{"D68_G75_under_G44", "P0001N001G44N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
+        OffsetErrorRow{"D68_G75_under_G46", "P0001N001G46N002G75X+1000%", ErrorCode::scale_not_allowed, 2},
+        OffsetErrorRow{"COMP018_G41_under_G75", "P0001N001G75X-1000N002G41%", ErrorCode::scale_not_allowed, 2},
+        OffsetErrorRow{"COMP018_G44_under_G75", "P0001N001G75X-1000N002G44%", ErrorCode::scale_not_allowed, 2},
+        OffsetErrorRow{"COMP018_G46_under_G75", "P0001N001G75X-1000N002G46%", ErrorCode::scale_not_allowed, 2}),
     [](const auto& row) { return std::string(row.param.name); });
 
 struct AllowedRow {
@@ -300,6 +299,37 @@ INSTANTIATE_TEST_SUITE_P(
                     AllowedRow{"D62_fourth_axis_under_G41",
                                "P0001N001G11T01F0100N002G41N003G12U+1000N004G40N005G68X+0%"}),
     [](const auto& row) { return std::string(row.param.name); });
+
+/// A table that came by tape may hold it (DEC-13): the radius is asked for where it acts.
+TEST(NegativeRadius, StopsTheBlockThatTakesIt_D50_DEC56) {
+  const std::string table = "P0000T001R-5000L+0\nP0001N001G11F0500T01N002";
+  for (const std::string block :
+       {"G41", "G42", "G43", "G44", "G84X+20000Y+0Z-1000Q-1000V001H0000", "G85X+20000Y+20000Z-1000Q-1000V001H0000"}) {
+    SCOPED_TRACE(block);
+    const RunResult run = run_text(table + block + "%");
+    ASSERT_EQ(run.code(), ErrorCode::word_out_of_range);
+    EXPECT_EQ(run.error->block, 2);
+    EXPECT_EQ(run.error->word, 'T');
+    EXPECT_THAT(run.error->detail, testing::HasSubstr("-5.000"));
+    EXPECT_EQ(run.error->expected, "R >= 0");
+  }
+  EXPECT_FALSE(run_text(table + "G46N003G01Z-1000%").error) << "the length needs no radius";
+  Start inside;
+  inside.modal.radius = RadiusCompensation::left;
+  inside.modal.tool_radius = {-5000};
+  EXPECT_EQ(run_text("P0001N001G01X+1000F0500%", 9, inside).code(), ErrorCode::word_out_of_range)
+      << "found in force by a start in the middle";
+}
+
+TEST(OffsetNotLeft, NamesTheAxesThatAreToBeDriven_D64) {
+  const auto expected = [](const std::string& blocks) {
+    const RunResult run = run_with_tools("P0001N001G11T01F0100" + blocks);
+    return run.code() == ErrorCode::offset_not_left ? run.error->expected : "another error";
+  };
+  EXPECT_EQ(expected("N002G46N003G01Z-1000N004G45N005G68X+0%"), "G01 Z");
+  EXPECT_EQ(expected("N002G41N003G01X+1000N004G40N005G68Z+0%"), "G01 X Y");
+  EXPECT_EQ(expected("N002G43N003G01Y+1000N004G40N005G68Z+0%"), "G01 Y");
+}
 
 }  // namespace
 }  // namespace cnclab::program

@@ -11,7 +11,7 @@ namespace {
 using language::ErrorCode;
 
 using Texts = std::vector<std::string>;
-constexpr std::int64_t kUm = 1000, kMm = kParameterUnit;
+constexpr std::int64_t kOneUm = 1000, kOneMm = kParameterUnit;
 
 /// The parameters right after the call, before the ROM program's first block.
 Parameters after_call(const std::string& block) {
@@ -24,25 +24,25 @@ Parameters after_call(const std::string& block) {
 
 TEST(CycleCall, LoadsItsParameters_CYC003) {
   Parameters expected{};
-  expected[60] = expected[61] = -5 * kMm;  // D-76: Q is Z
-  expected[62] = 2 * kMm;
-  expected[63] = 15 * kMm;
+  expected[60] = expected[61] = -5 * kOneMm;  // D-76: Q is Z
+  expected[62] = 2 * kOneMm;
+  expected[63] = 15 * kOneMm;
   EXPECT_EQ(after_call("G81Z-5000V002H0015"), expected);
-  expected[61] = -1 * kMm;
+  expected[61] = -1 * kOneMm;
   EXPECT_EQ(after_call("G82Z-5000Q-1000V002H0015"), expected);
   expected[61] = 0;
   EXPECT_EQ(after_call("G83Z-5000V002H0015"), expected);
-  expected[58] = 40 * kMm;
-  expected[59] = 30 * kMm;
-  expected[61] = -1 * kMm;
+  expected[58] = 40 * kOneMm;
+  expected[59] = 30 * kOneMm;
+  expected[61] = -1 * kOneMm;
   EXPECT_EQ(after_call("G85X+40000Y+30000Z-5000Q-1000V002H0015"), expected);
   expected[59] = 0;
   EXPECT_EQ(after_call("G84X+40000Y+0Z-5000Q-1000V002H0015"), expected);
-  expected[46] = 7 * kMm;
-  expected[58] = 25 * kMm;
-  expected[59] = 90 * kMm;
+  expected[46] = 7 * kOneMm;
+  expected[58] = 25 * kOneMm;
+  expected[59] = 90 * kOneMm;
   EXPECT_EQ(after_call("G86R+25000D090W07Z-5000Q-1000V002H0015"), expected);
-  expected[61] = -5 * kMm;
+  expected[61] = -5 * kOneMm;
   EXPECT_EQ(after_call("G86R+25000D090W07Z-5000V002H0015"), expected);
 }
 
@@ -53,20 +53,20 @@ TEST(CycleCall, FillsTheReservedParametersOnly_CYC100_to_CYC110_ROM01) {
   const RunResult run = run_cycle("G85X+40000Y+30000Z-5000Q-3000V002", start);
   ASSERT_FALSE(run.error);
   constexpr std::pair<std::size_t, std::int64_t> kRows[] = {
-      {0, 0},              // CYC-100
-      {48, -8 * kMm},      // CYC-101: the start point as a position
-      {49, -2 * kMm},      // CYC-101
-      {51, -3'500 * kUm},  // CYC-103
-      {52, -7'500 * kUm},  // CYC-104: −V + 0.5 and two layers of Q
-      {53, 8 * kMm},       // CYC-105
-      {54, 500 * kUm},     // CYC-106
-      {55, 7 * kMm},       // CYC-107
-      {56, 8 * kMm},       // CYC-107
-      {57, 2 * kMm},       // CYC-107
-      {58, 30 * kMm},      // CYC-108
-      {59, 20 * kMm},      // CYC-108
-      {61, -3 * kMm},      // CYC-109
-      {62, -2 * kMm},      // CYC-109
+      {0, 0},                 // CYC-100
+      {48, -8 * kOneMm},      // CYC-101: the start point as a position
+      {49, -2 * kOneMm},      // CYC-101
+      {51, -3'500 * kOneUm},  // CYC-103
+      {52, -7'500 * kOneUm},  // CYC-104: −V + 0.5 and two layers of Q
+      {53, 8 * kOneMm},       // CYC-105
+      {54, 500 * kOneUm},     // CYC-106
+      {55, 7 * kOneMm},       // CYC-107
+      {56, 8 * kOneMm},       // CYC-107
+      {57, 2 * kOneMm},       // CYC-107
+      {58, 30 * kOneMm},      // CYC-108
+      {59, 20 * kOneMm},      // CYC-108
+      {61, -3 * kOneMm},      // CYC-109
+      {62, -2 * kOneMm},      // CYC-109
   };
   for (const auto& [number, value] : kRows) EXPECT_EQ(run.parameters[number], value) << '#' << number;
   for (std::size_t number = 1; number < run.parameters.size(); ++number)
@@ -77,7 +77,7 @@ TEST(CycleCall, FillsTheReservedParametersOnly_CYC100_to_CYC110_ROM01) {
 
 /// Z − 0.5 and the rest of the common part, where the program does not change it later (CYC-102).
 TEST(CycleCall, ComputesTheWayToTheDepth_CYC102) {
-  EXPECT_EQ(run_cycle("G83Z-12000V003H0010", start_at(0, 0, 3)).parameters[50], -12'500 * kUm);
+  EXPECT_EQ(run_cycle("G83Z-12000V003H0010", start_at(0, 0, 3)).parameters[50], -12'500 * kOneUm);
 }
 
 TEST(CycleCall, IsASubprogram_CYC001_CYC012) {
@@ -149,7 +149,7 @@ TEST_P(CycleEnd, LeavesG91AndAfterDrillingG45_CYC007_D82) {
   EXPECT_EQ(after.length_compensation, !GetParam().cancels_length);
   EXPECT_EQ(run.blocks.back().programmed_um, (std::array<std::int64_t, 3>{0, 0, 2000}));
   const ProgramSet programs = programs_of(std::string("P0001N001") + GetParam().block + "N002G17%");
-  const ModalState rebuilt = rebuild_modal(programs, *programs.find(1), 2, start.modal);
+  const ModalState rebuilt = rebuild_modal(programs, *programs.find(1), 2, start.modal).value();
   EXPECT_EQ(rebuilt.dimension, after.dimension);
   EXPECT_EQ(rebuilt.length_compensation, after.length_compensation);
 }

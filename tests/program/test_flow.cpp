@@ -85,14 +85,14 @@ TEST(FlowStart, SaysWhatIsMissing) {
   EXPECT_EQ(run_text("P0001N001G17%", 9, {.program = 9985}).code(), ErrorCode::reserved_for_cycles);
 }
 
-struct ErrorRow {
+struct FlowErrorRow {
   const char* name;
   const char* text;
   ErrorCode code;
   int program, block;
 };
 
-class FlowErrors : public testing::TestWithParam<ErrorRow> {};
+class FlowErrors : public testing::TestWithParam<FlowErrorRow> {};
 
 TEST_P(FlowErrors, NameTheBlock) {
   const RunResult run = run_text(GetParam().text, 5000);
@@ -104,23 +104,23 @@ TEST_P(FlowErrors, NameTheBlock) {
 INSTANTIATE_TEST_SUITE_P(
     , FlowErrors,
     testing::Values(
-        ErrorRow{"D58_G20_to_a_missing_program", "P0001N001G20P0002N001%", ErrorCode::program_missing, 1, 1},
-        ErrorRow{"D58_G22_to_a_missing_block", "P0001N001G17N002G22P0002N009W00\nP0002N001G17%",
-                 ErrorCode::block_missing, 1, 2},
-        ErrorRow{"DEC64_G22_to_a_cycle", "P0001N001G22P9981N001W00%", ErrorCode::reserved_for_cycles, 1, 1},
-        ErrorRow{"DEC64_G20_to_a_cycle", "P0001N001G17N002G20P9989N001%", ErrorCode::reserved_for_cycles, 1, 2},
-        ErrorRow{"D58_G20_to_a_missing_block", "P0001N001G20P0001N002%", ErrorCode::block_missing, 1, 1},
-        ErrorRow{"D58_G20_to_the_tool_table", "P0000T001R+1L+1\nP0001N001G20P0000N001%", ErrorCode::program_missing, 1,
-                 1},
-        ErrorRow{"D58_after_G20_the_caller_is_still_active",
-                 "P0001N001G22P0002N001W00\nP0002N001G20P0003N001\nP0003N001G22P0002N001W00%", ErrorCode::calls_itself,
-                 3, 1},
-        ErrorRow{"D58_call_of_itself", "P0001N001G22P0001N001W00%", ErrorCode::calls_itself, 1, 1},
-        ErrorRow{"D58_two_that_call_each_other",
-                 "P0001N001G22P0002N001W00\nP0002N001G22P0003N001W00\nP0003N001G17N002G22P0002N001W00%",
-                 ErrorCode::calls_itself, 3, 2},
-        ErrorRow{"G22_of_the_tool_table", "P0000T001R+1L+1\nP0001N001G22P0000N001W00%", ErrorCode::program_missing, 1,
-                 1}),
+        FlowErrorRow{"D58_G20_to_a_missing_program", "P0001N001G20P0002N001%", ErrorCode::program_missing, 1, 1},
+        FlowErrorRow{"D58_G22_to_a_missing_block", "P0001N001G17N002G22P0002N009W00\nP0002N001G17%",
+                     ErrorCode::block_missing, 1, 2},
+        FlowErrorRow{"DEC64_G22_to_a_cycle", "P0001N001G22P9981N001W00%", ErrorCode::reserved_for_cycles, 1, 1},
+        FlowErrorRow{"DEC64_G20_to_a_cycle", "P0001N001G17N002G20P9989N001%", ErrorCode::reserved_for_cycles, 1, 2},
+        FlowErrorRow{"D58_G20_to_a_missing_block", "P0001N001G20P0001N002%", ErrorCode::block_missing, 1, 1},
+        FlowErrorRow{"D58_G20_to_the_tool_table", "P0000T001R+1L+1\nP0001N001G20P0000N001%", ErrorCode::program_missing,
+                     1, 1},
+        FlowErrorRow{"D58_after_G20_the_caller_is_still_active",
+                     "P0001N001G22P0002N001W00\nP0002N001G20P0003N001\nP0003N001G22P0002N001W00%",
+                     ErrorCode::nesting_too_deep, 3, 1},
+        FlowErrorRow{"D58_call_of_itself", "P0001N001G22P0001N001W00%", ErrorCode::nesting_too_deep, 1, 1},
+        FlowErrorRow{"D58_two_that_call_each_other",
+                     "P0001N001G22P0002N001W00\nP0002N001G22P0003N001W00\nP0003N001G17N002G22P0002N001W00%",
+                     ErrorCode::nesting_too_deep, 3, 2},
+        FlowErrorRow{"G22_of_the_tool_table", "P0000T001R+1L+1\nP0001N001G22P0000N001W00%", ErrorCode::program_missing,
+                     1, 1}),
     [](const auto& row) { return std::string(row.param.name); });
 
 /// P0001 calls P0002 calls … `calls` levels deep.
@@ -142,6 +142,20 @@ TEST(FlowDepth, SixteenLevelsAreAllowedSeventeenAreNot_D58) {
   const RunResult refused = run_text(staircase(17));
   EXPECT_EQ(refused.code(), ErrorCode::nesting_too_deep);
   EXPECT_EQ(refused.error->program, 17);
+}
+
+/// A program that counts #01 down and calls itself until it is 0.
+std::string countdown(int calls) {
+  return "P0001N001\\00#01+" + std::to_string(calls * 1000) +
+         "N002G22P0002N001W00N003G18\nP0002N001\\12#01#01N002\\50N004N003G22P0002N001W00N004G17%";
+}
+
+TEST(FlowDepth, AProgramMayCallItselfAsDeepAsAnyOther_D58_SYS006) {
+  EXPECT_EQ(run_text(countdown(3)).order(), "P1N1 P1N2 P2N1 P2N2 P2N3 P2N1 P2N2 P2N3 P2N1 P2N2 P2N4 P2N4 P2N4 P1N3");
+  EXPECT_FALSE(run_text(countdown(16)).error);
+  const RunResult refused = run_text(countdown(17));
+  ASSERT_EQ(refused.code(), ErrorCode::nesting_too_deep);
+  EXPECT_EQ(language::place_of(*refused.error), "P0002 N003");
 }
 
 TEST(FlowLoop, AJumpToItselfReturnsFromEveryStep_DEC63) {
@@ -262,7 +276,7 @@ TEST(RebuildModal, TakesGroupsAndWordsBeforeTheStartBlock_DEC26) {
       "N008G11M24N009G91N010G11F0100M20%");
   ModalState before;
   before.coolant = true;
-  const ModalState modal = rebuild_modal(programs, *programs.find(1), 9, before);
+  const ModalState modal = rebuild_modal(programs, *programs.find(1), 9, before).value();
   EXPECT_EQ(modal.feed_mm_per_min, 800);
   EXPECT_EQ(modal.spindle_rpm, 900);
   EXPECT_EQ(modal.tool, 3);
@@ -272,16 +286,16 @@ TEST(RebuildModal, TakesGroupsAndWordsBeforeTheStartBlock_DEC26) {
   EXPECT_TRUE(modal.test_run);
   EXPECT_EQ(modal.spindle, geometry::SpindleTurn::off) << "nothing is switched";
   EXPECT_TRUE(modal.coolant);
-  EXPECT_EQ(rebuild_modal(programs, *programs.find(1), 1, before), before);
-  EXPECT_FALSE(rebuild_modal(programs, *programs.find(1), 999, before).test_run);
+  EXPECT_EQ(rebuild_modal(programs, *programs.find(1), 1, before).value(), before);
+  EXPECT_FALSE(rebuild_modal(programs, *programs.find(1), 999, before).value().test_run);
 }
 
 TEST(RebuildModal, TakesTheScale_DEC26) {
   const ProgramSet programs = programs_of("P0001N001G75X-1000N002G22P0002N001W00N003G74N004G17%\nP0002N001G17%");
-  const ModalState scaled = rebuild_modal(programs, *programs.find(1), 2, {});
+  const ModalState scaled = rebuild_modal(programs, *programs.find(1), 2, {}).value();
   EXPECT_TRUE(scaled.scale_on);
   EXPECT_EQ(scaled.scale, (std::array<std::int64_t, 3>{-1000, 1000, 1000}));
-  EXPECT_EQ(rebuild_modal(programs, *programs.find(1), 4, {}), ModalState{});
+  EXPECT_EQ(rebuild_modal(programs, *programs.find(1), 4, {}).value(), ModalState{});
 }
 
 }  // namespace

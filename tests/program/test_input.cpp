@@ -97,7 +97,7 @@ TEST(InputErrors, AreThoseOfG20AndG22) {
   EXPECT_EQ(code_of("P0001N001G23P0001N009W00%"), ErrorCode::block_missing);
   EXPECT_EQ(code_of("P0001N001G21P9989N001%"), ErrorCode::reserved_for_cycles) << "DEC-64";
   EXPECT_EQ(code_of("P0001N001G23P9981N001W00%"), ErrorCode::reserved_for_cycles) << "DEC-64";
-  EXPECT_EQ(code_of("P0001N001G23P0002N001W00\nP0002N001G23P0002N001W00%"), ErrorCode::calls_itself);
+  EXPECT_EQ(code_of("P0001N001G23P0002N001W00\nP0002N001G23P0002N001W00%"), ErrorCode::nesting_too_deep);
 }
 
 }  // namespace

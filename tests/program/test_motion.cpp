@@ -313,7 +313,7 @@ INSTANTIATE_TEST_SUITE_P(
                  'I'},
         ErrorRow{"D68_G75_under_G90", "P0001N001G90N002G75X+2000%", ErrorCode::scale_not_allowed, 2, 'G'},
         ErrorRow{"D68_arc_with_unequal_factors", "P0001N001G11F1000N002G75X+2000Y+1000N003G02X+10000Y+0I+5000J+0%",
-                 ErrorCode::scale_not_allowed, 3, 'G'},
+                 ErrorCode::scale_unequal, 3, 'G'},
         ErrorRow{"D45_arc_without_J", "P0001N001G11F1000N002G02X+10000Y+0I+5000%", ErrorCode::word_missing, 2, 'J'},
         ErrorRow{"D45_G00_without_axis", "P0001N001G90N002G00%", ErrorCode::word_missing, 2, 'X'}),
     [](const auto& row) { return std::string(row.param.name); });

@@ -11,7 +11,7 @@ namespace {
 using language::ErrorCode;
 using testing::IsEmpty;
 
-constexpr std::int64_t kUm = 1'000;  // parameters count 1/1 000 000 mm
+constexpr std::int64_t kParameterUm = 1'000;  // parameters count 1/1 000 000 mm
 constexpr std::int64_t kMm = kParameterUnit;
 
 using Values = std::map<std::size_t, std::int64_t>;
@@ -63,35 +63,43 @@ constexpr std::int64_t kMost = 9'999'999'000;
 INSTANTIATE_TEST_SUITE_P(
     , Calculations,
     testing::Values(
-        CalculationRow{"PAR010_assign", {}, "\\00#01-12345", -12'345 * kUm, ""},
+        CalculationRow{"PAR010_assign", {}, "\\00#01-12345", -12'345 * kParameterUm, ""},
         CalculationRow{"PAR010_largest", {}, "\\00#01+9999999", kMost, ""},
         CalculationRow{"PAR011_add", {{2, 3}, {3, 4}}, "\\01#01#02#03", 7, "P"},
-        CalculationRow{"EX061", {{2, 1'500 * kUm}, {3, -2'000 * kUm}}, "\\01#01#02#03", -500 * kUm, "N"},
+        CalculationRow{"EX061",
+                       {{2, 1'500 * kParameterUm}, {3, -2'000 * kParameterUm}},
+                       "\\01#01#02#03",
+                       -500 * kParameterUm,
+                       "N"},
         CalculationRow{"PAR011_zero", {{2, 5}, {3, -5}}, "\\01#01#02#03", 0, "Z"},
         CalculationRow{"PAR011_into_itself", {{1, 5}}, "\\01#01#01#01", 10, "P"},
         CalculationRow{"D91_add_above", {{2, kMost}, {3, 1}}, "\\01#01#02#03", kMost, "PC"},
         CalculationRow{"PAR012_subtract", {{2, 3}, {3, 4}}, "\\02#01#02#03", -1, "N"},
         CalculationRow{"D91_subtract_below", {{2, -kMost}, {3, 1}}, "\\02#01#02#03", -kMost, "NC"},
         CalculationRow{"PAR013_multiply", {{2, 3 * kMm}, {3, -4 * kMm}}, "\\03#01#02#03", -12 * kMm, "N"},
-        CalculationRow{"DEC52_six_decimals", {{2, 800 * kUm}, {3, 12'346 * kUm}}, "\\03#01#02#03", 9'876'800, "P"},
+        CalculationRow{"DEC52_six_decimals",
+                       {{2, 800 * kParameterUm}, {3, 12'346 * kParameterUm}},
+                       "\\03#01#02#03",
+                       9'876'800,
+                       "P"},
         CalculationRow{"D91_multiply_above", {{2, 100 * kMm}, {3, -100 * kMm}}, "\\03#01#02#03", -kMost, "NC"},
         CalculationRow{"PAR013_too_small", {{2, 1}, {3, 1}}, "\\03#01#02#03", 0, "Z"},
         CalculationRow{"PAR014_divide", {{2, 1 * kMm}, {3, 3 * kMm}}, "\\04#01#02#03", 333'333, "P"},
         CalculationRow{"D91_divide_by_zero", {{1, -7}, {2, 5}}, "\\04#01#02#03", -7, "NC"},
         CalculationRow{"D91_divide_above", {{2, 5 * kMm}, {3, 1}}, "\\04#01#02#03", kMost, "PC"},
         CalculationRow{"PAR015_copy", {{2, -5}}, "\\10#01#02", -5, ""},
-        CalculationRow{"PAR016_increase", {{2, 500 * kUm}}, "\\11#01#02", 1'500 * kUm, "P"},
+        CalculationRow{"PAR016_increase", {{2, 500 * kParameterUm}}, "\\11#01#02", 1'500 * kParameterUm, "P"},
         CalculationRow{"PAR016_to_zero", {{2, -1 * kMm}}, "\\11#01#02", 0, "Z"},
         CalculationRow{"D91_increase_above", {{2, kMost - 1}}, "\\11#01#02", kMost, "PC"},
-        CalculationRow{"PAR017_decrease", {{2, 500 * kUm}}, "\\12#01#02", -500 * kUm, "N"},
+        CalculationRow{"PAR017_decrease", {{2, 500 * kParameterUm}}, "\\12#01#02", -500 * kParameterUm, "N"},
         CalculationRow{"D91_decrease_below", {{2, -kMost}}, "\\12#01#02", -kMost, "NC"},
         CalculationRow{"PAR018_complement", {{2, 5}}, "\\13#01#02", -5, ""},
         CalculationRow{"PAR019_absolute", {{2, -5}}, "\\14#01#02", 5, ""},
         CalculationRow{"PAR019_absolute_of_positive", {{2, 5}}, "\\14#01#02", 5, ""},
         CalculationRow{"PAR020_root", {{2, 2 * kMm}}, "\\15#01#02", 1'414'214, ""},
         CalculationRow{"D91_root_of_negative", {{1, 9}, {2, -4 * kMm}}, "\\15#01#02", 0, ""},
-        CalculationRow{"PAR021_sine", {{2, 30 * kMm}}, "\\16#01#02", 500 * kUm, ""},
-        CalculationRow{"PAR022_cosine", {{2, 120 * kMm}}, "\\17#01#02", -500 * kUm, ""}),
+        CalculationRow{"PAR021_sine", {{2, 30 * kMm}}, "\\16#01#02", 500 * kParameterUm, ""},
+        CalculationRow{"PAR022_cosine", {{2, 120 * kMm}}, "\\17#01#02", -500 * kParameterUm, ""}),
     [](const auto& row) { return std::string(row.param.name); });
 
 /// Functions without a star keep what the register said before (PAR-030, PAR-031).
@@ -188,7 +196,7 @@ INSTANTIATE_TEST_SUITE_P(
                  1,
                  "#05 = -001"},
         FaultRow{"D46_above_travel",
-                 {{4, 500'001 * kUm}},
+                 {{4, 500'001 * kParameterUm}},
                  "P0001N001G00X#04%",
                  ErrorCode::word_out_of_range,
                  1,
@@ -216,9 +224,9 @@ TEST(ReadOnlyParameters, FollowTheState_PAR035_PAR036) {
   EXPECT_EQ(values[10], 0);  // D-95: no tool
   EXPECT_EQ(values[11], 11 * kMm);
   EXPECT_EQ(values[12], -2 * kMm);
-  EXPECT_EQ(values[13], 3'250 * kUm);
-  EXPECT_EQ(values[14], 5'125 * kUm);
-  EXPECT_EQ(values[15], -1'500 * kUm);
+  EXPECT_EQ(values[13], 3'250 * kParameterUm);
+  EXPECT_EQ(values[14], 5'125 * kParameterUm);
+  EXPECT_EQ(values[15], -1'500 * kParameterUm);
   EXPECT_EQ(values[16], 0);
 }
 

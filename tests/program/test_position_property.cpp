@@ -16,8 +16,6 @@ using language::Word;
 
 constexpr std::array kAxes{Address::X, Address::Y, Address::Z};
 
-Word word(Address address, int number) { return {.address = address, .is_parameter = false, .number = number}; }
-
 /// Words of some of the axes, at least one.
 language::Words random_axes(int largest) {
   language::Words words;

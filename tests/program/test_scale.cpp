@@ -116,7 +116,7 @@ TEST(ScaledArcs, KeepTheirCentreRelativeUnderG90_D68) {
 
 TEST(ScaleStart, IsThatOfTheBlocksBefore_DEC26) {
   const ProgramSet programs = programs_of("P0001N001G75X+2000N002G75Y+3000F0700N003G17%");
-  const ModalState modal = rebuild_modal(programs, *programs.find(1), 3, {});
+  const ModalState modal = rebuild_modal(programs, *programs.find(1), 3, {}).value();
   EXPECT_EQ(modal.scale, (std::array<std::int64_t, 3>{1000, 3000, 1000}));
   EXPECT_EQ(modal.feed_mm_per_min, 700);
 }

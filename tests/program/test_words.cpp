@@ -9,13 +9,13 @@ namespace {
 using language::ErrorCode;
 using testing::ElementsAre;
 
-struct OrderRow {
+struct WordOrderRow {
   const char* name;
   const char* text;
   std::vector<std::string> items;
 };
 
-class WordOrder : public testing::TestWithParam<OrderRow> {};
+class WordOrder : public testing::TestWithParam<WordOrderRow> {};
 
 TEST_P(WordOrder, IsThatOfTheManual) {
   const RunResult run = run_text(GetParam().text);
@@ -27,51 +27,52 @@ using Names = std::vector<std::string>;
 INSTANTIATE_TEST_SUITE_P(
     , WordOrder,
     testing::Values(
-        OrderRow{"FST009_M03_before_the_way", "P0001N001G01X+1000F0100S0500M03%",
-                 Names{"digits 500", "spindle cw 500", "line", "end"}},
-        OrderRow{"FST010_M05_behind_the_way", "P0001N001G01X+1000F0100M05%", Names{"line", "spindle off", "end"}},
-        OrderRow{"FST010_M09_behind_the_way", "P0001N001G01X+1000F0100M09%", Names{"line", "coolant off", "end"}},
-        OrderRow{"M004_counterclockwise", "P0001N001G11S0100M04%", Names{"digits 100", "spindle ccw 100", "end"}},
-        OrderRow{"M013_spindle_and_coolant_at_start", "P0001N001G01X+1000F0100M13%",
-                 Names{"spindle cw 0", "coolant on", "line", "end"}},
-        OrderRow{"M014_spindle_and_coolant_at_start", "P0001N001G11M14%", Names{"spindle ccw 0", "coolant on", "end"}},
-        OrderRow{"M012_both_off_at_end", "P0001N001G01X+1000F0100M12%",
-                 Names{"line", "spindle off", "coolant off", "end"}},
-        OrderRow{"M008_coolant_at_start", "P0001N001G01X+1000F0100M08%", Names{"coolant on", "line", "end"}},
-        OrderRow{"M000_halt_at_end", "P0001N001G01X+1000F0100M00N002G17%", Names{"line", "halt", "end"}},
-        OrderRow{"M001_halt_with_signal", "P0001N001G11M01%", Names{"halt signal", "end"}},
-        OrderRow{"M002_ends_the_program", "P0001N001G01X+1000F0100M02N002G01X+1000%", Names{"line", "end"}},
-        OrderRow{"M015_signal", "P0001N001G11M15N002G90%", Names{"signal", "end"}},
-        OrderRow{"M016_waits_for_Input_1", "P0001N001G11M16%", Names{"wait 0.0", "end"}},
-        OrderRow{"M040_all_outputs_of_card_1", "P0001N001G11M40N002G11M48N003G11M50N004G11M53%",
-                 Names{"output 1.0 on", "output 1.8 on", "output 1.0 off", "output 1.3 off", "end"}},
-        OrderRow{"M060_waits_on_card_1", "P0001N001G11M60N002G11M68%", Names{"wait 1.0", "wait 1.8", "end"}},
-        OrderRow{"M070_card_2", "P0001N001G11M70N002G11M81N003G11M90N004G11M98%",
-                 Names{"output 2.0 on", "output 2.1 off", "wait 2.0", "wait 2.8", "end"}},
-        OrderRow{"FST004_S_with_the_spindle_on", "P0001N001G11S0500M03N002G01X+1000F0100S0800%",
-                 Names{"digits 500", "spindle cw 500", "digits 800", "spindle cw 800", "line", "end"}},
-        OrderRow{"FST004_S_with_the_spindle_off", "P0001N001G11S0500%", Names{"digits 500", "end"}},
-        OrderRow{"FST011_T_at_block_start", "P0000T005R+5000L-1000\nP0001N001G01X+1000F0100T05%",
-                 Names{"tool 5 R5 L-1", "line", "end"}},
-        OrderRow{"COMP003_tool_without_row", "P0001N001G11T07%", Names{"tool 7 R0 L0", "end"}},
-        OrderRow{"G040_dwell", "P0001N001G04H0010N002G04H9999%", Names{"dwell 1", "dwell 999.9", "end"}},
-        OrderRow{"G111_run_up_of_the_spindle", "P0001N001G11S0500M03N002G04H0020N003G01X+1000F0100%",
-                 Names{"digits 500", "spindle cw 500", "dwell 2", "line", "end"}},
-        OrderRow{"FST012_what_a_way_needs_before_it_stands_in_G11", "P0001N001G11M41N002G01X+1000F0100M51%",
-                 Names{"output 1.1 on", "line", "output 1.1 off", "end"}},
-        OrderRow{"FST007_another_tool_by_its_word",
-                 "P0000T001R+1000L+0T002R+2000L+0\nP0001N001G11T01N002G11T02N003G01X+1000F0100T01%",
-                 Names{"tool 1 R1 L0", "tool 2 R2 L0", "tool 1 R1 L0", "line", "end"}},
-        OrderRow{"G110_F_alone_has_no_effect_on_the_machine", "P0001N001G11F0100N002G91%", Names{"mark", "end"}},
-        OrderRow{"D42_M24_suppresses_what_follows",
-                 "P0001N001G11M24N002G01X+1000F0100M03N003G04H0010N004G11M00N005G11M40N006G11M16N007G11M02N008G17%",
-                 Names{"mark", "line", "mark", "mark", "mark", "mark", "mark", "end"}},
-        OrderRow{"D42_M24_acts_from_the_following_block", "P0001N001G11M08N002G11M24N003G11M08%",
-                 Names{"coolant on", "mark", "end"}},
-        OrderRow{"DEC38_M05_M09_M12_act_under_M24", "P0001N001G11M24N002G11M05N003G11M09N004G11M12%",
-                 Names{"mark", "spindle off", "coolant off", "spindle off", "coolant off", "end"}},
-        OrderRow{"M020_ends_the_test_run", "P0001N001G11M24N002G11M03N003G11M20N004G11M08%",
-                 Names{"mark", "mark", "mark", "coolant on", "end"}}),
+        WordOrderRow{"FST009_M03_before_the_way", "P0001N001G01X+1000F0100S0500M03%",
+                     Names{"digits 500", "spindle cw 500", "line", "end"}},
+        WordOrderRow{"FST010_M05_behind_the_way", "P0001N001G01X+1000F0100M05%", Names{"line", "spindle off", "end"}},
+        WordOrderRow{"FST010_M09_behind_the_way", "P0001N001G01X+1000F0100M09%", Names{"line", "coolant off", "end"}},
+        WordOrderRow{"M004_counterclockwise", "P0001N001G11S0100M04%", Names{"digits 100", "spindle ccw 100", "end"}},
+        WordOrderRow{"M013_spindle_and_coolant_at_start", "P0001N001G01X+1000F0100M13%",
+                     Names{"spindle cw 0", "coolant on", "line", "end"}},
+        WordOrderRow{"M014_spindle_and_coolant_at_start", "P0001N001G11M14%",
+                     Names{"spindle ccw 0", "coolant on", "end"}},
+        WordOrderRow{"M012_both_off_at_end", "P0001N001G01X+1000F0100M12%",
+                     Names{"line", "spindle off", "coolant off", "end"}},
+        WordOrderRow{"M008_coolant_at_start", "P0001N001G01X+1000F0100M08%", Names{"coolant on", "line", "end"}},
+        WordOrderRow{"M000_halt_at_end", "P0001N001G01X+1000F0100M00N002G17%", Names{"line", "halt", "end"}},
+        WordOrderRow{"M001_halt_with_signal", "P0001N001G11M01%", Names{"halt signal", "end"}},
+        WordOrderRow{"M002_ends_the_program", "P0001N001G01X+1000F0100M02N002G01X+1000%", Names{"line", "end"}},
+        WordOrderRow{"M015_signal", "P0001N001G11M15N002G90%", Names{"signal", "end"}},
+        WordOrderRow{"M016_waits_for_Input_1", "P0001N001G11M16%", Names{"wait 0.0", "end"}},
+        WordOrderRow{"M040_all_outputs_of_card_1", "P0001N001G11M40N002G11M48N003G11M50N004G11M53%",
+                     Names{"output 1.0 on", "output 1.8 on", "output 1.0 off", "output 1.3 off", "end"}},
+        WordOrderRow{"M060_waits_on_card_1", "P0001N001G11M60N002G11M68%", Names{"wait 1.0", "wait 1.8", "end"}},
+        WordOrderRow{"M070_card_2", "P0001N001G11M70N002G11M81N003G11M90N004G11M98%",
+                     Names{"output 2.0 on", "output 2.1 off", "wait 2.0", "wait 2.8", "end"}},
+        WordOrderRow{"FST004_S_with_the_spindle_on", "P0001N001G11S0500M03N002G01X+1000F0100S0800%",
+                     Names{"digits 500", "spindle cw 500", "digits 800", "spindle cw 800", "line", "end"}},
+        WordOrderRow{"FST004_S_with_the_spindle_off", "P0001N001G11S0500%", Names{"digits 500", "end"}},
+        WordOrderRow{"FST011_T_at_block_start", "P0000T005R+5000L-1000\nP0001N001G01X+1000F0100T05%",
+                     Names{"tool 5 R5 L-1", "line", "end"}},
+        WordOrderRow{"COMP003_tool_without_row", "P0001N001G11T07%", Names{"tool 7 R0 L0", "end"}},
+        WordOrderRow{"G040_dwell", "P0001N001G04H0010N002G04H9999%", Names{"dwell 1", "dwell 999.9", "end"}},
+        WordOrderRow{"G111_run_up_of_the_spindle", "P0001N001G11S0500M03N002G04H0020N003G01X+1000F0100%",
+                     Names{"digits 500", "spindle cw 500", "dwell 2", "line", "end"}},
+        WordOrderRow{"FST012_what_a_way_needs_before_it_stands_in_G11", "P0001N001G11M41N002G01X+1000F0100M51%",
+                     Names{"output 1.1 on", "line", "output 1.1 off", "end"}},
+        WordOrderRow{"FST007_another_tool_by_its_word",
+                     "P0000T001R+1000L+0T002R+2000L+0\nP0001N001G11T01N002G11T02N003G01X+1000F0100T01%",
+                     Names{"tool 1 R1 L0", "tool 2 R2 L0", "tool 1 R1 L0", "line", "end"}},
+        WordOrderRow{"G110_F_alone_has_no_effect_on_the_machine", "P0001N001G11F0100N002G91%", Names{"mark", "end"}},
+        WordOrderRow{"D42_M24_suppresses_what_follows",
+                     "P0001N001G11M24N002G01X+1000F0100M03N003G04H0010N004G11M00N005G11M40N006G11M16N007G11M02N008G17%",
+                     Names{"mark", "line", "mark", "mark", "mark", "mark", "mark", "end"}},
+        WordOrderRow{"D42_M24_acts_from_the_following_block", "P0001N001G11M08N002G11M24N003G11M08%",
+                     Names{"coolant on", "mark", "end"}},
+        WordOrderRow{"DEC38_M05_M09_M12_act_under_M24", "P0001N001G11M24N002G11M05N003G11M09N004G11M12%",
+                     Names{"mark", "spindle off", "coolant off", "spindle off", "coolant off", "end"}},
+        WordOrderRow{"M020_ends_the_test_run", "P0001N001G11M24N002G11M03N003G11M20N004G11M08%",
+                     Names{"mark", "mark", "mark", "coolant on", "end"}}),
     [](const auto& row) { return std::string(row.param.name); });
 
 TEST(Words, EveryBlockHasOneItemThatEndsIt) {

@@ -16,8 +16,13 @@
 #include "shared/screen.hpp"
 #include "shared/tls.hpp"
 #include "station/login.hpp"
+#include "station/session.hpp"
 
 namespace cnclab::station {
+
+/// A station's pace in tests.
+inline constexpr Pace kQuick{std::chrono::milliseconds(200), std::chrono::seconds(5), std::chrono::milliseconds(5),
+                             std::chrono::milliseconds(20), std::chrono::milliseconds(500)};
 
 namespace asio = boost::asio;
 

@@ -17,8 +17,6 @@ using namespace std::chrono_literals;
 using asio::experimental::awaitable_operators::operator&&;
 using Lines = std::vector<std::string>;
 
-constexpr Pace kQuick{200ms, 5s, 5ms, 20ms, 500ms};
-
 struct Pipe {
   Pipe() {
     std::array<int, 2> ends{};

@@ -6,7 +6,7 @@
 namespace cnclab::station {
 namespace {
 
-std::expected<Options, Ending> parse(std::vector<const char*> arguments) {
+std::expected<Options, Ending> parsed(std::vector<const char*> arguments) {
   arguments.insert(arguments.begin(), "cnclab-station");
   return parse_options(static_cast<int>(arguments.size()), arguments.data());
 }
@@ -14,9 +14,9 @@ std::expected<Options, Ending> parse(std::vector<const char*> arguments) {
 const std::string kFingerprint = "SHA256:" + std::string(43, 'A');
 
 TEST(Options, EverythingGiven) {
-  const auto options = parse({"--server", "[::1]:3300", "--station", "15", "--user", "anna", "--password-file", "p",
-                              "--new-password-file", "n", "--fingerprint", kFingerprint.c_str(), "--media", "/tmp",
-                              "--look-on", "--ascii", "--headless"});
+  const auto options = parsed({"--server", "[::1]:3300", "--station", "15", "--user", "anna", "--password-file", "p",
+                               "--new-password-file", "n", "--fingerprint", kFingerprint.c_str(), "--media", "/tmp",
+                               "--look-on", "--ascii", "--headless"});
   ASSERT_TRUE(options) << options.error().text;
   EXPECT_EQ(options->server.host, "::1");
   EXPECT_EQ(options->seat(), 15U);
@@ -34,14 +34,14 @@ TEST(Options, EverythingGiven) {
 }
 
 TEST(Options, OnlyTheServerIsNeeded) {
-  const auto options = parse({"--server", "lab:3300"});
+  const auto options = parsed({"--server", "lab:3300"});
   ASSERT_TRUE(options) << options.error().text;
   EXPECT_EQ(options->seat(), 0U);
   EXPECT_FALSE(options->trust.fingerprint);
 }
 
 TEST(Options, AnObserverLooksAtAStation) {
-  const auto options = parse({"--server", "lab:3300", "--observe", "3"});
+  const auto options = parsed({"--server", "lab:3300", "--observe", "3"});
   ASSERT_TRUE(options);
   EXPECT_EQ(options->seat(), 3U);
   EXPECT_EQ(options->door().kind, v1::CLIENT_KIND_OBSERVER);
@@ -72,7 +72,7 @@ TEST(Options, WrongOnesAreExitCode2AndNameTheOption) {
       {{"--server", "lab:1", "stray"}, "stray"},
   };
   for (const Row& row : rows) {
-    const auto options = parse(row.arguments);
+    const auto options = parsed(row.arguments);
     ASSERT_FALSE(options) << row.named;
     EXPECT_EQ(options.error().code, ExitCode::usage) << row.named;
     EXPECT_NE(options.error().text.find(row.named), std::string::npos) << row.named << ": " << options.error().text;
@@ -80,7 +80,7 @@ TEST(Options, WrongOnesAreExitCode2AndNameTheOption) {
 }
 
 TEST(Options, HelpEndsWell) {
-  const auto options = parse({"--help"});
+  const auto options = parsed({"--help"});
   ASSERT_FALSE(options);
   EXPECT_EQ(options.error().code, ExitCode::ended_by_user);
   for (const char* const option :

@@ -15,8 +15,6 @@ using namespace std::chrono_literals;
 using asio::experimental::awaitable_operators::operator||;
 using Test = std::function<asio::awaitable<void>(Session&, Broadcast&)>;
 
-constexpr Pace kQuick{200ms, 5s, 5ms, 20ms, 500ms};
-
 // Waits for a condition of the session; the test as a whole has a limit.
 asio::awaitable<void> until(Broadcast& changed, std::function<bool()> condition) {
   while (!condition()) co_await changed.wait_until(Broadcast::Clock::now() + 20ms);

@@ -7,7 +7,6 @@
 namespace cnclab::harness {
 namespace {
 
-constexpr auto kLimit = 5s;
 constexpr int kHeadings = 1;
 
 class ConsoleInTerminal : public testing::Test {

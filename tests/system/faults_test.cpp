@@ -22,8 +22,6 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr auto kLimit = 5s;
-
 /// While it lives, no file of the process can be written: as on a full disk, for that process alone.
 class NoRoom {
  public:

@@ -16,8 +16,6 @@
 namespace cnclab::harness {
 namespace {
 
-constexpr auto kEndLimit = 5s;
-
 std::string header(std::uint32_t length) {
   std::string bytes;
   for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>((length >> shift) & 0xFFU);
@@ -64,7 +62,7 @@ TEST_P(BadBytes, end_that_connection_alone) {
     ASSERT_TRUE(client.greet(v1::CLIENT_KIND_STATION));
   }
   client.send_bytes(GetParam().bytes());
-  EXPECT_TRUE(client.is_closed_within(kEndLimit));
+  EXPECT_TRUE(client.is_closed_within(kLimit));
   anna.key("EINGABE");
   anna.wait_for("EINGABEMODUS");
   EXPECT_TRUE(room.server().is_running());
@@ -113,7 +111,7 @@ TEST_P(BadMessageFromASeat, ends_that_connection_alone) {
   ASSERT_TRUE(login);
   ASSERT_EQ(login->result(), v1::LOGIN_RESULT_OK);
   otto.send(GetParam().message());
-  EXPECT_TRUE(otto.is_closed_within(kEndLimit));
+  EXPECT_TRUE(otto.is_closed_within(kLimit));
   anna.key("EINGABE");
   EXPECT_TRUE(room.server().is_running());
 }
@@ -169,7 +167,7 @@ TEST(Frames, SEC_006_plain_bytes_without_TLS_are_ended) {
     });
   };
   read();
-  context.run_for(kEndLimit);
+  context.run_for(kLimit);
   EXPECT_TRUE(is_closed);
   EXPECT_EQ(room.instructor().status()["selected"], 0);
 }

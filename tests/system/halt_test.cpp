@@ -10,8 +10,6 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr auto kLimit = 5s;
-
 /// Station 1 (anna) runs an endless program on the lab's machine; station 2 (otto) looks on.
 class Halt : public testing::Test {
  protected:

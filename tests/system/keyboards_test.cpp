@@ -13,8 +13,6 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr auto kLimit = 5s;
-
 /// An instructor's console that types: a connection that lasts, unlike a one-shot command's.
 class TypingConsole {
  public:

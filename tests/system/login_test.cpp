@@ -11,8 +11,6 @@ namespace cnclab::harness {
 namespace {
 
 using testing::HasSubstr;
-constexpr auto kEndLimit = 10s;
-
 /// Classroom with a server whose instructor still has the one-time password.
 struct FreshLab {
   TemporaryFolder folder;
@@ -71,7 +69,7 @@ TEST(FirstLogin, SEC_002_a_forced_change_to_the_same_password_is_refused) {
   StationOptions options = room.station_options(1, "anna");
   options.password_file = file;
   options.new_password_file = file;
-  EXPECT_EQ(StationProcess(options).wait(kEndLimit), 4);
+  EXPECT_EQ(StationProcess(options).wait(kLimit), 4);
   options.new_password_file = room.passwords().set("anna.new", "ein anderes Passwort");
   StationProcess anna(options);
   anna.wait_for("CNC 3300");
@@ -85,7 +83,7 @@ TEST(FirstLogin, SEC_002_a_student_without_a_given_password_must_change_the_prin
   Passwords one_time;
   StationOptions options = room.station_options(1, "anna");
   options.password_file = one_time.set("anna", added.objects[0]["password"]);
-  EXPECT_EQ(StationProcess(options).wait(kEndLimit), 4) << "without a new password";
+  EXPECT_EQ(StationProcess(options).wait(kLimit), 4) << "without a new password";
   options.new_password_file = room.passwords().file_of("anna");
   StationProcess(options).wait_for("CNC 3300");
   StationProcess again = room.seat(1, "anna");
@@ -105,7 +103,7 @@ TEST(Login, SEC_003_a_wrong_password_and_an_unknown_name_get_the_same_answer_and
   EXPECT_EQ(wrong->text(), unknown->text());
   StationOptions options = room.station_options(1, "anna");
   options.password_file = room.passwords().set("wrong", "also wrong");
-  EXPECT_EQ(StationProcess(options).wait(kEndLimit), 4);
+  EXPECT_EQ(StationProcess(options).wait(kLimit), 4);
 }
 
 class DelayedLogin : public testing::TestWithParam<std::string> {};
@@ -137,7 +135,7 @@ TEST(Seats, SEAT_001_a_taken_seat_ends_the_second_station_with_7_and_names_who_s
   StationProcess anna = room.seat(1, "anna");
   StationOptions options = room.station_options(1, "otto");
   options.log = room.folder().path() / "otto.log";
-  EXPECT_EQ(StationProcess(options).wait(kEndLimit), 7);
+  EXPECT_EQ(StationProcess(options).wait(kLimit), 7);
   EXPECT_THAT(read_file(options.log), HasSubstr("anna"));
   anna.key("MENU");
 }
@@ -146,7 +144,7 @@ TEST(Seats, SEAT_001_station_0_and_16_are_usage_errors) {
   Classroom room;
   room.add_student("anna");
   for (const int station : {16, -1, 100}) {
-    EXPECT_EQ(StationProcess(room.station_options(station, "anna")).wait(kEndLimit), 2) << station;
+    EXPECT_EQ(StationProcess(room.station_options(station, "anna")).wait(kLimit), 2) << station;
   }
 }
 
@@ -154,7 +152,7 @@ TEST(Seats, SEAT_003_the_same_student_elsewhere_is_refused_without_take_over) {
   Classroom room;
   room.add_student("anna");
   StationProcess first = room.seat(1, "anna");
-  EXPECT_EQ(StationProcess(room.station_options(2, "anna")).wait(kEndLimit), 4);
+  EXPECT_EQ(StationProcess(room.station_options(2, "anna")).wait(kLimit), 4);
   first.key("MENU");
 }
 
@@ -168,7 +166,7 @@ TEST(Seats, SEAT_003_take_over_ends_the_first_station_with_6_and_continues_its_s
   options.more = {"--take-over"};
   StationProcess second(options);
   second.wait_for("EINGABEMODUS");
-  EXPECT_EQ(first.wait(kEndLimit), 6);
+  EXPECT_EQ(first.wait(kLimit), 6);
 }
 
 TEST(Seats, SEAT_003_a_station_whose_line_was_broken_ends_with_6_when_its_student_has_sat_down_elsewhere) {
@@ -220,7 +218,7 @@ TEST(Certificate, SEC_001_another_fingerprint_ends_station_and_instructor_with_5
   const std::string other = "SHA256:" + std::string(43, 'A');
   StationOptions options = room.station_options(1, "anna");
   options.fingerprint = other;
-  EXPECT_EQ(StationProcess(options).wait(kEndLimit), 5);
+  EXPECT_EQ(StationProcess(options).wait(kLimit), 5);
   Instructor instructor = room.instructor();
   instructor.options().fingerprint = other;
   EXPECT_EQ(instructor.run({"status"}).exit_code, 1);
@@ -239,12 +237,12 @@ TEST(Certificate, SEC_001_the_first_connection_pins_and_a_changed_certificate_en
                          .state_folder = folder.path() / "state",
                          .log = folder.path() / "station.log",
                          .more = {}};
-  EXPECT_EQ(StationProcess(options).wait(kEndLimit), 8) << "pinned, then the foreign version";
-  EXPECT_EQ(StationProcess(options).wait(kEndLimit), 8) << "known now";
+  EXPECT_EQ(StationProcess(options).wait(kLimit), 8) << "pinned, then the foreign version";
+  EXPECT_EQ(StationProcess(options).wait(kLimit), 8) << "known now";
   const std::uint16_t port = first->port();
   first.reset();
   const FakeServer other(port);
-  EXPECT_EQ(StationProcess(options).wait(kEndLimit), 5) << read_file(options.log);
+  EXPECT_EQ(StationProcess(options).wait(kLimit), 5) << read_file(options.log);
 }
 
 TEST(ProtocolVersion, a_foreign_version_is_answered_with_the_supported_ones_and_the_line_ends) {
@@ -271,7 +269,7 @@ TEST(ProtocolVersion, a_server_of_another_version_ends_station_and_instructor_wi
                                .state_folder = folder.path(),
                                .log = {},
                                .more = {}};
-  EXPECT_EQ(StationProcess(options).wait(kEndLimit), 8);
+  EXPECT_EQ(StationProcess(options).wait(kLimit), 8);
   const Instructor instructor({.server = server.address(),
                                .fingerprint = server.fingerprint(),
                                .user = "lehrer",
@@ -286,7 +284,7 @@ TEST(Connection, no_server_ends_station_and_instructor_with_3) {
   room.add_student("anna");
   const StationOptions options = room.station_options(1, "anna");
   room.server().kill_hard();
-  EXPECT_EQ(StationProcess(options).wait(kEndLimit), 3);
+  EXPECT_EQ(StationProcess(options).wait(kLimit), 3);
   EXPECT_EQ(room.instructor().run({"status"}).exit_code, 1);
 }
 

@@ -11,8 +11,6 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr auto kLimit = 10s;
-
 /// A machine of 20 mm of travel on each axis, so that references are near, and two students.
 class LabMachine : public testing::Test {
  protected:

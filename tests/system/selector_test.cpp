@@ -12,8 +12,6 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr auto kLimit = 5s;
-
 /// Two students with an endless program, seated.
 class Selector : public testing::Test {
  protected:

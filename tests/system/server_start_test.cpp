@@ -19,13 +19,13 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-constexpr auto kEndLimit = 5s;  // what the server promises
+constexpr auto kPromisedEnd = 5s;  // what the server promises
 const std::string kEndlessWay = "P0001\nN001G01X+100000F3000\nN002G01X-100000\nN003G20P0001N001\n";
 
 /// A database in a data folder, after a clean end of its server.
 fs::path database_after_a_lesson(Classroom& room) {
   room.server().terminate();
-  EXPECT_EQ(room.server().wait(kEndLimit), 0);
+  EXPECT_EQ(room.server().wait(kPromisedEnd), 0);
   return room.data() / "cnclab.db";
 }
 
@@ -150,6 +150,16 @@ TEST(ServerStart, STO_008_a_damaged_database_is_refused_and_left_untouched) {
   EXPECT_EQ(read_file(database), before);
 }
 
+TEST(ServerStart, STO_008_a_database_cut_off_to_nothing_is_no_new_lab) {
+  Classroom room;
+  const fs::path database = database_after_a_lesson(room);
+  fs::resize_file(database, 0);
+  const StartFailure failure = start_again(room);
+  EXPECT_EQ(failure.exit_code, 1);
+  EXPECT_THAT(failure.log, HasSubstr("is empty"));
+  EXPECT_EQ(fs::file_size(database), 0U);
+}
+
 TEST(ServerStart, STO_008_a_file_that_is_no_database_is_refused_and_left_untouched) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path() / "data");
@@ -182,14 +192,14 @@ TEST(ServerEnd, SIGTERM_ends_an_idle_lab_with_0_within_5_s_and_the_stations_with
   room.add_student("anna");
   StationProcess anna = room.seat(1, "anna");
   room.server().terminate();
-  EXPECT_EQ(room.server().wait(kEndLimit), 0);
-  EXPECT_EQ(anna.wait(kEndLimit), 10);
+  EXPECT_EQ(room.server().wait(kPromisedEnd), 0);
+  EXPECT_EQ(anna.wait(kPromisedEnd), 10);
 }
 
 TEST(ServerEnd, SIGINT_is_a_clean_end_too) {
   Classroom room;
   kill(room.server().pid(), SIGINT);
-  EXPECT_EQ(room.server().wait(kEndLimit), 0);
+  EXPECT_EQ(room.server().wait(kPromisedEnd), 0);
 }
 
 TEST(ServerEnd, SIGTERM_stops_a_moving_machine_and_ends_with_0_within_5_s) {
@@ -200,14 +210,14 @@ TEST(ServerEnd, SIGTERM_stops_a_moving_machine_and_ends_with_0_within_5_s) {
   anna.key("AUTOMAT ENTER ENTER START");
   ASSERT_TRUE(eventually(5s, [&] { return room.instructor().status()["machine"]["x"] > 1; }));
   room.server().terminate();
-  EXPECT_EQ(room.server().wait(kEndLimit), 0);
+  EXPECT_EQ(room.server().wait(kPromisedEnd), 0);
 }
 
 TEST(ServerEnd, STO_002_what_was_acknowledged_before_SIGTERM_is_there_afterwards) {
   Classroom room;
   room.add_student("anna", {"P0007\nN001G00X+1000\n"});
   room.server().terminate();
-  ASSERT_EQ(room.server().wait(kEndLimit), 0);
+  ASSERT_EQ(room.server().wait(kPromisedEnd), 0);
   room.crash_and_restart();
   EXPECT_EQ(room.instructor().must({"program", "show", "anna", "P0007"}).output, "P0007\nN001G00X+1000\n%\n");
 }

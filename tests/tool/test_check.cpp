@@ -1,6 +1,8 @@
 // `cnclab-tool check`, bad files and wrong command lines (interfaces.md section 5).
 #include <gmock/gmock.h>
 
+#include <sstream>
+
 #include "tool_process.hpp"
 
 namespace cnclab::tool {
@@ -57,6 +59,60 @@ TEST_F(CheckTest, AProgramWithAnErrorIsNotCalledMissing) {
   const Said said = tool("check -", "P0001N001G22P0002N001W00\nP0002N001G99%");
   EXPECT_EQ(said.exit_code, 1);
   EXPECT_THAT(said.err, MatchesRegex("-:2: P0002 N001: [^\n]*\n"));
+}
+
+/// Places of what was said, in its order.
+std::vector<std::string> places_in(const std::string& err) {
+  std::vector<std::string> places;
+  std::istringstream lines(err);
+  for (std::string line; std::getline(lines, line);)
+    if (const std::size_t at = line.find(": P"); at != std::string::npos) places.push_back(line.substr(at + 2, 10));
+  return places;
+}
+
+TEST_F(CheckTest, AWordThatCannotBeReadHidesNoOtherError) {
+  const Said said = tool("check -",
+                         "P0001N001G11F9999N002G01X+600000N003G99N004G20P0009N001N005\\53N003N006\\53N007\n"
+                         "P0002N001G01X+1000N002G22P0001N003W00N003G01X+600000%");
+  EXPECT_EQ(said.exit_code, 1);
+  EXPECT_THAT(places_in(said.err),
+              testing::ElementsAre("P0001 N001", "P0001 N002", "P0001 N003", "P0001 N004", "P0002 N003"))
+      << said.err << "N003 and N007 may be there, and whether F is missing in P0002 shows when P0001 is right";
+}
+
+TEST_F(CheckTest, WhatDoesNotComeToAFaultyProgramIsExecutedOnPaper) {
+  const Said said = tool("check -", "P0001N001G99%P0002N001G11F1000N002G02X+9000Y+0I+5000J+0%");
+  EXPECT_THAT(places_in(said.err), testing::ElementsAre("P0001 N001", "P0002 N002")) << said.err;
+}
+
+TEST_F(CheckTest, ErrorsStandInTheOrderOfTheBlocks) {
+  const Said said = tool("check -", "P0001N001G17N002G01X+1000N003G02X+9000Y+0I+5000J+0N004G01X+600000F1000%");
+  EXPECT_THAT(places_in(said.err), testing::ElementsAre("P0001 N002", "P0001 N003", "P0001 N004")) << said.err;
+}
+
+TEST_F(CheckTest, ARoundingBetweenALineAndItsWayBackIsCalledThat_D66) {
+  const Said said = tool("check -", "P0001N001G11F1000N002G01X+10000N003G10R+1000N004G01X-5000%");
+  EXPECT_THAT(said.err, HasSubstr("P0001 N003: The block: the second line leads back, there is no corner."));
+}
+
+TEST_F(CheckTest, AnArcUnderG43SaysWhatG43CannotDo_D72) {
+  const Said said =
+      tool("check -", "P0000T001R+5000L+0\nP0001N001G11F1000T01N002G43N003G01X+10000N004G02X+10000Y+0I+5000J+0%");
+  EXPECT_THAT(said.err, HasSubstr("P0001 N004: The block: no arc while G43/G44 shift the axes."));
+}
+
+TEST_F(CheckTest, TheWordToBlameIsTheOneOfNoPlane) {
+  const Said said = tool("check -", "P0001N001G02X+1Y-1I+2Z+3J+4%");
+  EXPECT_THAT(said.err, HasSubstr("P0001 N001: Z does not fit into this block, right: X Y I J"));
+}
+
+TEST_F(CheckTest, ANegativeRadiusIsRefusedWhereItActs_D50) {
+  const std::string text = "P0000T001R-5000L+0%P0001N001G11F1000T01N002G41N003G01Y+10000N004G01X+10000%";
+  for (const char* command : {"check -", "path -", "run -"}) {
+    const Said said = tool(command, text);
+    EXPECT_EQ(said.exit_code, 1) << command;
+    EXPECT_THAT(said.err, HasSubstr("P0001 N002: T01 R -5.000 is not allowed, right: R >= 0.")) << command;
+  }
 }
 
 TEST_F(CheckTest, ReadsStandardInput) { EXPECT_EQ(tool("check -", kPicture7).exit_code, 0); }

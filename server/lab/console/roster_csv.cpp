@@ -8,6 +8,7 @@
 #include <cctype>
 #include <expected>
 #include <set>
+#include <span>
 
 #include "lab/passwords.hpp"
 
@@ -116,8 +117,9 @@ bool is_name(std::string_view name) {
   const auto allowed = [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '.' || c == '-' || c == '_' || c >= 0x80;
   };
-  const bool is_folder = name == "." || name == "..";  // programs are collected in files of that name
-  return !name.empty() && !is_folder && name.size() <= kLongestName && std::ranges::all_of(name, allowed);
+  // Names become folders where programs are collected.
+  return !name.empty() && name != "." && name != ".." && name.size() <= kLongestName &&
+         std::ranges::all_of(name, allowed);
 }
 
 std::string line_prefix(int line, language::Tongue tongue) {

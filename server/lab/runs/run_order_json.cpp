@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <ranges>
+
+#include "lab/stored_control.hpp"
 #include "language/tape.hpp"
 #include "panel/modal_json.hpp"
 
@@ -105,6 +108,20 @@ language::Program program_of(std::uint16_t number, const std::vector<std::string
   return program;
 }
 
+/// The numbers of a program's damaged blocks: played again they stop the run as they did.
+std::vector<std::uint16_t> damaged_in(const language::Program& program) {
+  std::vector<std::uint16_t> numbers;
+  for (const language::Block& block : program.blocks)
+    if (block.is_damaged) numbers.push_back(block.number);
+  return numbers;
+}
+
+void mark_damage(const Json& json, language::Program& program) {
+  if (!json.contains("damaged")) return;
+  const auto numbers = json.at("damaged").value(std::to_string(program.number), std::vector<std::uint16_t>{});
+  for (const std::uint16_t number : numbers) program.blocks.at(program.find(number).value()).is_damaged = true;
+}
+
 std::uint16_t program_number(const std::string& key, std::uint16_t last) {
   const unsigned long number = std::stoul(key);
   if (number > last) throw std::runtime_error("P" + key);
@@ -115,13 +132,18 @@ program::ProgramSet programs_of(const Json& json, db::Database& database, db::Pe
   program::ProgramSet programs;
   for (const auto& [key, version] : json.at("versions").items()) {
     const std::uint16_t number = program_number(key, language::kLastProgram);
-    const auto texts = database.program_at(person, number, version);
+    const auto texts = version_texts(database, person, number, version.get<int>());
     if (!texts) throw std::runtime_error(fmt::format("P{:04} version {}", number, version.get<int>()));
-    programs.put(program_of(number, *texts));
+    const auto blocks = std::views::values(*texts);
+    language::Program program = program_of(number, {blocks.begin(), blocks.end()});
+    mark_damage(json, program);
+    programs.put(std::move(program));
   }
   for (const auto& [key, texts] : json.at("texts").items()) {
     const std::uint16_t number = program_number(key, last_program(json));
-    programs.put(program_of(number, texts));
+    language::Program program = program_of(number, texts);
+    mark_damage(json, program);
+    programs.put(std::move(program));
   }
   return programs;
 }
@@ -146,6 +168,8 @@ Json order_json(const panel::RunOrder& order, db::Database& database, db::Person
   for (const std::uint16_t number : order.programs.numbers()) {
     const auto found = stored.find(number);
     const auto texts = texts_of(*order.programs.find(number));
+    if (const auto damaged = damaged_in(*order.programs.find(number)); !damaged.empty())
+      json["damaged"][std::to_string(number)] = damaged;
     if (found != stored.end() && texts_of(found->second) == texts)
       json["versions"][std::to_string(number)] = found->second.version;
     else

@@ -40,6 +40,7 @@ void confirm_block(AutomatMode& mode, ControlState& state) {
   mode.has_ended = false;
   mode.failure.reset();
   prepare_start(mode, state);
+  if (mode.no_state) state.complain(*mode.no_state);
 }
 
 void press_prompt(DigitField& field, Effect effect, int figure) {
@@ -47,9 +48,12 @@ void press_prompt(DigitField& field, Effect effect, int figure) {
   if (effect == Effect::clear) field.clear();
 }
 
+/// What went wrong comes first; what to do about START follows where rows 18 and 19 have room for it.
 void refuse_start(ControlState& state, const Error& failure) {
-  state.complain(failure.code,
-                 text(Text::said_failed_before, state.tongue(), {language::explain(failure, state.tongue())}));
+  constexpr int kRoom = 2 * Screen::kColumns;
+  const std::string fault = language::explain(failure, state.tongue());
+  const std::string both = text(Text::said_failed_before, state.tongue(), {fault});
+  state.complain(failure.code, columns_of(both) <= kRoom ? both : fault);
 }
 
 /// Does the run measure from the machine's zero anywhere it can come to?
@@ -82,6 +86,7 @@ void begin_run(AutomatMode& mode, ControlState& state) {
   if (!may_run(state)) return;
   mode.has_ended = false;
   prepare_start(mode, state);
+  if (mode.no_state) return refuse_start(state, *mode.no_state);
   if (must_confirm_zero(mode, state)) return;
   RunOrder order{.programs = mode.programs,
                  .start = {.program = mode.program_number(),
@@ -151,10 +156,15 @@ void prepare_start(AutomatMode& mode, const ControlState& state) {
   const language::Program* program = state.memory.find(mode.program_number());
   mode.first_modal = state.modal;
   mode.programs = state.memory.snapshot();
+  mode.no_state.reset();
   mode.is_rebuilt = program != nullptr && state.settings.start_in_middle_rebuilds &&
                     mode.block_number() != program->blocks.front().number;
-  if (mode.is_rebuilt)
-    mode.first_modal = program::rebuild_modal(mode.programs, *program, mode.block_number(), state.modal);
+  if (!mode.is_rebuilt) return;
+  const auto rebuilt = program::rebuild_modal(mode.programs, *program, mode.block_number(), state.modal);
+  if (rebuilt)
+    mode.first_modal = program::within(*rebuilt, state.settings.vocabulary);
+  else
+    mode.no_state = rebuilt.error();
 }
 
 Place place_of(const AutomatMode& mode, const ControlState& state) {
@@ -180,8 +190,11 @@ Place place_of(const AutomatMode& mode, const ControlState& state) {
   return Place::automat_ready;
 }
 
-void press(AutomatMode& mode, ControlState& state, Effect effect, int figure) {
+void disarm(AutomatMode& mode, Effect effect) {
   if (effect != Effect::start) mode.asks_zero = false;
+}
+
+void press(AutomatMode& mode, ControlState& state, Effect effect, int figure) {
   if (effect == Effect::single_block) return press_single_block(mode, state);
   switch (mode.phase) {
     case AutomatMode::Phase::program:

@@ -20,13 +20,14 @@ struct AutomatMode {
 
   Phase phase = Phase::program;
   DigitField program{4, {}, 0}, block{3, {}, 0};
-  bool single_block = false;               ///< off on entering (D-16)
-  bool has_ended = false;                  ///< the program came to its end: row 18 says so
-  bool asks_zero = false;                  ///< START once more: the zero is right (DEC-27)
-  bool is_rebuilt = false;                 ///< the run would begin in the middle (DEC-26)
-  program::ModalState first_modal;         ///< with which the run would begin; shown before START (SCR-041)
-  program::ProgramSet programs;            ///< which it would run, and whose blocks the window shows
-  std::optional<language::Error> failure;  ///< START is refused until it is gone
+  bool single_block = false;                ///< off on entering (D-16)
+  bool has_ended = false;                   ///< the program came to its end: row 18 says so
+  bool asks_zero = false;                   ///< START once more: the zero is right (DEC-27)
+  bool is_rebuilt = false;                  ///< the run would begin in the middle (DEC-26) …
+  std::optional<language::Error> no_state;  ///< … and what is damaged before it forbids that (STO-003)
+  program::ModalState first_modal;          ///< with which the run would begin; shown before START (SCR-041)
+  program::ProgramSet programs;             ///< which it would run, and whose blocks the window shows
+  std::optional<language::Error> failure;   ///< START is refused until it is gone
 
   [[nodiscard]] std::uint16_t program_number() const { return static_cast<std::uint16_t>(program.value.value_or(0)); }
   [[nodiscard]] std::uint16_t block_number() const { return static_cast<std::uint16_t>(block.value.value_or(0)); }
@@ -38,6 +39,8 @@ struct AutomatMode {
 void close(AutomatMode& mode, ControlState& state);
 
 [[nodiscard]] Place place_of(const AutomatMode& mode, const ControlState& state);
+/// See modes.hpp: the second START must follow the first (DEC-27).
+void disarm(AutomatMode& mode, Effect effect);
 void press(AutomatMode& mode, ControlState& state, Effect effect, int figure);
 /// Takes notice of what the machine did: ends, stops, errors.
 void follow(AutomatMode& mode, ControlState& state);

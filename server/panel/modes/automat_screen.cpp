@@ -82,7 +82,8 @@ std::string sentence_of(const AutomatMode& mode, const ControlState& state) {
     case Run::State::none:
       break;
     case Run::State::running:
-      return text(Text::wait_running, tongue, {program, block});
+      return text(state.awaits_potentiometer() ? Text::wait_potentiometer : Text::wait_running, tongue,
+                  {program, block});
     case Run::State::waiting:
       if (const int tool = state.run.tool_due(); tool != 0) return tool_sentence(tool, tongue);
       return text(state.machine().cause == machine::StopCause::waiting_for_input ? Text::wait_input : Text::wait_halt,
@@ -95,6 +96,7 @@ std::string sentence_of(const AutomatMode& mode, const ControlState& state) {
       return text(Text::wait_single, tongue, {program, block});
   }
   if (mode.has_ended) return text(Text::wait_ended, tongue, {block});
+  if (mode.no_state) return language::explain(*mode.no_state, tongue);
   if (mode.is_rebuilt) return text(Text::wait_ready_rebuilt, tongue, {block});
   return text(Text::wait_ready, tongue, {program, block});
 }

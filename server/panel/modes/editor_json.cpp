@@ -12,7 +12,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr int kMostFigures = 4, kMostDecimals = 3, kLargestCode = 99;
+constexpr int kMostFigures = 4, kMostDecimals = 3, kLargestFunction = 99;
 constexpr std::size_t kMostOverview = 10'000;
 
 Json word_json(const WordEntry& word) {
@@ -46,7 +46,7 @@ WordEntry word_of(const Json& json, language::Address address) {
 std::optional<language::Function> function_in(const Json& json) {
   const Json* shown = member_of(json, "shown");
   if (shown == nullptr || !shown->is_array() || shown->size() != 2) return std::nullopt;
-  const auto kind = integer_of((*shown)[0], 0, 2), code = integer_of((*shown)[1], 0, kLargestCode);
+  const auto kind = integer_of((*shown)[0], 0, 2), code = integer_of((*shown)[1], 0, kLargestFunction);
   if (!kind || !code) return std::nullopt;
   return language::Function{static_cast<language::Function::Kind>(*kind), static_cast<std::uint8_t>(*code)};
 }
@@ -128,7 +128,7 @@ EditorMode editor_of(const Json& json, const ControlState& state) {
   EditorMode mode = open_editor(state);
   read_field(json, "program", mode.program);
   mode.plane = static_cast<language::Plane>(integer_in(json, "plane", 0, 2, 0));
-  mode.proposed_g = static_cast<std::uint8_t>(integer_in(json, "g", 0, kLargestCode, 0));
+  mode.proposed_g = static_cast<std::uint8_t>(integer_in(json, "g", 0, kLargestFunction, 0));
   if (const auto from = integer_in(json, "list_from", -1, language::kLastBlock, -1); from >= 0)
     mode.list_from = static_cast<std::uint16_t>(from);
   const auto overview = integer_in(json, "overview", -1, kMostOverview, -1);

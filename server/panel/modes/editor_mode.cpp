@@ -93,8 +93,11 @@ void load_block(EditorMode& mode, ControlState& state) {
   const language::Program* program = program_in(state, mode.number());
   const auto index = program == nullptr ? std::nullopt : program->find(number);
   if (!index) {
-    state.complain(
-        language::Error{.code = ErrorCode::block_missing, .program = mode.number(), .detail = block_word(number)});
+    const bool is_tool = mode.line.is_tool_row();
+    state.complain(language::Error{.code = ErrorCode::block_missing,
+                                   .program = mode.number(),
+                                   .detail = is_tool ? "T" + block_text(number) : block_word(number),
+                                   .in_tool_table = is_tool});
     return;
   }
   const language::Block& block = program->blocks[*index];

@@ -29,14 +29,24 @@ std::optional<Error> fault_of(const EditorMode& mode, const ControlState& state,
   if (checked && !leads_to_cycles(block)) return std::nullopt;
   error.program = mode.number();
   error.block = block.number;
+  error.in_tool_table = mode.line.is_tool_row();
   return error;
 }
 
-/// Does a block of this number stand in the memory, and was it not loaded to be changed? Then EINGABE inserts (D-47).
-/// Rows of the tool table are never renumbered: there the new row takes the old one's place.
-bool is_insertion(const EditorMode& mode, const language::Program* program, std::uint16_t number) {
-  if (program == nullptr || mode.line.is_loaded() || mode.line.is_tool_row()) return false;
-  return program->find(number).has_value();
+/// Does a block of this number stand in the memory, and was it not loaded to be changed?
+bool stands_there(const EditorMode& mode, const language::Program* program, std::uint16_t number) {
+  return program != nullptr && !mode.line.is_loaded() && program->find(number).has_value();
+}
+
+/// The tool table is never renumbered: a row whose number was typed takes the place of the one that stands there, and
+/// that is told. A number that was only offered (behind T099 there is none) replaces nothing: false after the
+/// complaint.
+bool may_replace_row(const EditorMode& mode, ControlState& state, std::uint16_t number) {
+  const std::string tool = block_text(number);
+  state.message.sentence = text(Text::said_row_replaced, state.tongue(), {tool});
+  if (mode.line.is_number_typed()) return true;
+  state.complain(ErrorCode::block_number_wrong, text(Text::said_row_exists, state.tongue(), {tool}));
+  return false;
 }
 
 int bytes_needed(const language::Program* program, const language::Block& block, bool inserts) {
@@ -120,15 +130,21 @@ void store_line(EditorMode& mode, ControlState& state) {
     return state.complain(*fault);
   }
   const language::Program* program = program_in(state, mode.number());
-  const bool inserts = is_insertion(mode, program, block.number);
+  const bool is_there = stands_there(mode, program, block.number);
+  const bool inserts = is_there && !mode.line.is_tool_row();  // D-47
   if (inserts && program->blocks.back().number == language::kLastBlock) {
     mode.line.go_to_number();
     return state.complain(ErrorCode::block_number_wrong, std::string(text(Text::said_overflow_n999, state.tongue())));
   }
   if (bytes_needed(program, block, inserts) > state.memory.free_bytes())
-    return state.complain(Error{.code = ErrorCode::memory_full, .program = mode.number(), .block = block.number});
+    return state.complain(Error{.code = ErrorCode::memory_full,
+                                .program = mode.number(),
+                                .block = block.number,
+                                .in_tool_table = mode.line.is_tool_row()});
   if (inserts)
     state.storing = InsertBlock{mode.number(), block};
+  else if (is_there && !may_replace_row(mode, state, block.number))
+    return mode.line.go_to_number();
   else
     state.storing = PutBlock{mode.number(), block};
 }

@@ -39,10 +39,13 @@ void erase_all(EraseMemoryMode& mode, ControlState& state) {
 
 Place place_of(const EraseMemoryMode& mode) { return mode.takes_all ? Place::erase_all : Place::erase_program; }
 
+void disarm(EraseMemoryMode& mode, Effect effect) {
+  if (effect != Effect::enter) mode.takes_all = false;
+}
+
 void press(EraseMemoryMode& mode, ControlState& state, Effect effect, int figure) {
   switch (effect) {
     case Effect::digit:
-      mode.takes_all = false;
       return mode.program.digit(figure);
     case Effect::clear:
       mode.takes_all = true;

@@ -24,6 +24,8 @@ struct EraseMemoryMode {
 };
 
 [[nodiscard]] Place place_of(const EraseMemoryMode& mode);
+/// See modes.hpp: C must come directly before → (DEC-59).
+void disarm(EraseMemoryMode& mode, Effect effect);
 void press(EraseMemoryMode& mode, ControlState& state, Effect effect, int figure);
 void draw(const EraseMemoryMode& mode, const ControlState& state, Monitor& monitor);
 [[nodiscard]] std::string sentence_of(const EraseMemoryMode& mode, const ControlState& state);

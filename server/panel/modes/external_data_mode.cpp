@@ -53,7 +53,9 @@ void choose_device(ExternalDataMode& mode, ControlState& state, Effect effect, i
   if (effect != Effect::digit || figure < 1) return;
   const auto device = static_cast<Device>(figure);
   if (!is_fitted(device, state)) {
-    if (state.settings.hints) state.hint = text(Text::said_not_fitted, state.tongue());
+    const bool is_recorder = device == Device::cassette_out || device == Device::cassette_in;
+    if (state.settings.hints)
+      state.hint = text(is_recorder ? Text::said_no_cassette : Text::said_not_fitted, state.tongue());
     return;
   }
   mode.device = device;
@@ -79,6 +81,29 @@ std::vector<language::Program> leaving(const ExternalDataMode& mode, ControlStat
   if (program != nullptr) return {*program};
   state.complain(Error{.code = ErrorCode::program_missing, .detail = program_word(number)});
   return {};
+}
+
+/// The first block of them whose check code did not fit when it was read.
+std::optional<Error> damage_in(const std::vector<language::Program>& programs) {
+  for (const language::Program& program : programs) {
+    const auto block = std::ranges::find(program.blocks, true, &language::Block::is_damaged);
+    if (block == program.blocks.end()) continue;
+    return Error{.code = ErrorCode::checksum_wrong,
+                 .program = program.number,
+                 .block = block->number,
+                 .in_tool_table = program.number == language::kToolTable};
+  }
+  return std::nullopt;
+}
+
+/// Only paper has a mark for damage: written as data, a damaged block would come back as a sound one (ERR-004,
+/// ERR-010). Tells of it; true where nothing may leave.
+bool is_kept_by_damage(const ExternalDataMode& mode, ControlState& state,
+                       const std::vector<language::Program>& programs) {
+  const auto damage = damage_in(programs);
+  if (!damage) return false;
+  state.complain(*damage);
+  return mode.device != Device::printer;
 }
 
 /// P0000 first, the others in storage order (DEC-34).
@@ -120,7 +145,7 @@ void order_files(ExternalDataMode& mode, ControlState& state, PutFiles put) {
 
 void write(ExternalDataMode& mode, ControlState& state) {
   std::vector<language::Program> programs = tools_first(leaving(mode, state));
-  if (programs.empty()) return;
+  if (programs.empty() || is_kept_by_damage(mode, state, programs)) return;
   mode.phase = ExternalDataMode::Phase::transfer;
   if (is_on_line(*mode.device, state)) return begin_line_transfer(mode, state, programs);
   const std::string machine_data = mode.takes_all ? machine_data_text(state.data) : std::string();  // D-111

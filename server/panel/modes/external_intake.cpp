@@ -38,8 +38,9 @@ bool fits(const ControlState& state, const PutPrograms& put) {
 void complain_of_nothing(ControlState& state, const ReceivedText& received, const std::vector<std::string>& notices) {
   const bool may_be_left_out = !received.sought || language::is_reserved_for_cycles(*received.sought);
   if (!notices.empty() && may_be_left_out) return state.complain(ErrorCode::reserved_for_cycles, notices.front());
-  state.complain(Error{.code = ErrorCode::program_missing,
-                       .detail = received.sought ? program_word(*received.sought) : std::string()});
+  if (!received.sought) return state.complain(Error{.code = ErrorCode::program_missing});
+  state.complain(ErrorCode::program_missing,
+                 text(Text::said_not_in_file, state.tongue(), {program_word(*received.sought)}));
 }
 
 }  // namespace

@@ -45,15 +45,26 @@ testrun::TestOrder order_of(const ControlState& state, const language::Program& 
   return order;
 }
 
-/// Takes over a view that is there; asks for the next portion where nobody is at it.
+bool is_behind(const GraphicsMode& mode) { return mode.is_stale || mode.is_step_due; }
+
+/// Takes over a view that is there. One that was begun before the newest key does not answer it.
+void take_view(GraphicsMode& mode) {
+  auto view = mode.test->take_view();
+  if (!view) return;
+  mode.view = std::move(*view);
+  ++mode.pictures;
+  if (mode.view.has_ended) mode.is_playing = false;
+  if (!is_behind(mode)) mode.is_awaited = false;
+}
+
+/// Asks for the next portion where nobody is at it.
 void go_on(GraphicsMode& mode, std::uint64_t blocks) {
-  if (auto view = mode.test->take_view()) mode.view = std::move(*view);
-  if (mode.view.has_ended) mode.is_playing = false;
-  if (mode.test->is_busy() || (blocks == 0 && !mode.is_stale)) return;
-  mode.is_stale = false;
-  mode.test->advance(blocks, mode.window);
-  if (auto view = mode.test->take_view()) mode.view = std::move(*view);
-  if (mode.view.has_ended) mode.is_playing = false;
+  take_view(mode);
+  if (mode.test->is_busy() || (blocks == 0 && !is_behind(mode))) return;
+  const std::uint64_t portion = mode.is_step_due ? 1 : blocks;
+  mode.is_stale = mode.is_step_due = false;
+  mode.test->advance(portion, mode.window);
+  take_view(mode);
 }
 
 /// Blocks of one portion: with the potentiometer at 100 % as many as give a new picture several times a second, below
@@ -76,10 +87,9 @@ void begin_test(GraphicsMode& mode, ControlState& state) {
   mode.test.emplace(std::move(*test));
   mode.view = {};
   mode.finding = 0;
-  mode.is_playing = false;
+  mode.is_playing = mode.is_step_due = false;
   mode.is_stale = true;
   state.automat_program = number;
-  go_on(mode, 0);
 }
 
 void confirm_program(GraphicsMode& mode, ControlState& state) {
@@ -91,8 +101,10 @@ void confirm_program(GraphicsMode& mode, ControlState& state) {
 void start(GraphicsMode& mode, ControlState& state) {
   if (mode.view.has_ended) begin_test(mode, state);
   if (!mode.test || mode.view.has_ended || mode.is_playing) return;
-  if (mode.single_block) return go_on(mode, 1);
-  mode.is_playing = true;
+  if (mode.single_block)
+    mode.is_step_due = true;
+  else
+    mode.is_playing = true;
 }
 
 void change_window(GraphicsMode& mode, int figure) {
@@ -121,6 +133,16 @@ void press_prompt(GraphicsMode& mode, ControlState& state, Effect effect, int fi
   if (effect == Effect::enter) confirm_program(mode, state);
 }
 
+void press_picture(GraphicsMode& mode, ControlState& state, Effect effect, int figure) {
+  if (effect == Effect::digit) change_window(mode, figure);
+  if (effect == Effect::direction) pan(mode, figure);
+  if (effect == Effect::single_block) mode.single_block = !mode.single_block;
+  if (effect == Effect::single_block || effect == Effect::stop) mode.is_playing = false;
+  if (effect == Effect::start) start(mode, state);
+  if (effect == Effect::down && !mode.view.findings.empty())
+    mode.finding = (mode.finding + 1) % mode.view.findings.size();
+}
+
 }  // namespace
 
 GraphicsMode open_graphics(const ControlState& state) {
@@ -132,15 +154,10 @@ GraphicsMode open_graphics(const ControlState& state) {
 Place place_of(const GraphicsMode& mode) { return mode.test ? Place::graphics : Place::graphics_program; }
 
 void press(GraphicsMode& mode, ControlState& state, Effect effect, int figure) {
-  if (!mode.test) return press_prompt(mode, state, effect, figure);
-  if (effect == Effect::digit) change_window(mode, figure);
-  if (effect == Effect::direction) pan(mode, figure);
-  if (effect == Effect::single_block) mode.single_block = !mode.single_block;
-  if (effect == Effect::single_block || effect == Effect::stop) mode.is_playing = false;
-  if (effect == Effect::start) start(mode, state);
-  if (effect == Effect::down && !mode.view.findings.empty())
-    mode.finding = (mode.finding + 1) % mode.view.findings.size();
-  if (mode.is_stale) go_on(mode, 0);
+  mode.test ? press_picture(mode, state, effect, figure) : press_prompt(mode, state, effect, figure);
+  if (!mode.test || !is_behind(mode)) return;
+  mode.is_awaited = !mode.is_playing;  // while it plays one picture follows the other anyway
+  go_on(mode, 0);
 }
 
 void order_picture(GraphicsMode& mode) { mode.is_picture_wanted = mode.test.has_value(); }
@@ -150,7 +167,7 @@ void follow(GraphicsMode& mode, ControlState& state) {
   if (auto files = mode.test->take_files()) state.picture = std::move(*files);
   if (mode.is_picture_wanted && !mode.test->is_busy()) {
     mode.is_picture_wanted = false;
-    if (auto view = mode.test->take_view()) mode.view = std::move(*view);
+    take_view(mode);
     return mode.test->draw_files(mode.window.view, state.tongue());
   }
   go_on(mode, mode.is_playing ? blocks_at(state.override_percent) : 0);

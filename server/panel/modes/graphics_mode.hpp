@@ -26,7 +26,10 @@ struct GraphicsMode {
   std::optional<GraphicTest> test;  ///< once a program was acknowledged
   GraphicTestView view;             ///< the newest
   drawing::Window window;
+  std::uint64_t pictures = 0;      ///< that have come so far: the screen is due with each
   bool is_stale = false;           ///< the picture is to be drawn anew: the window has changed
+  bool is_step_due = false;        ///< START in EINZELSATZ: the next block is to be played
+  bool is_awaited = false;         ///< what the newest key has changed is not in the picture yet
   bool is_picture_wanted = false;  ///< as files
   bool is_playing = false;         ///< between START and STOP
   bool single_block = false;       ///< off on entering, as in AUTOMAT

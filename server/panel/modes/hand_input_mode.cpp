@@ -111,8 +111,9 @@ std::string sentence_of(const HandInputMode& mode, const ControlState& state) {
   const language::Tongue tongue = state.tongue();
   switch (place_of(mode, state)) {
     case Place::input_running:
+      if (state.run.state() == Run::State::braking) return std::string(text(Text::wait_axes_brake, tongue));
       return std::string(
-          text(state.run.state() == Run::State::braking ? Text::wait_axes_brake : Text::wait_input_running, tongue));
+          text(state.awaits_potentiometer() ? Text::wait_input_potentiometer : Text::wait_input_running, tongue));
     case Place::input_waiting:
       if (const int tool = state.run.tool_due(); tool != 0) return tool_sentence(tool, tongue);
       return std::string(text(Text::wait_input_waiting, tongue));

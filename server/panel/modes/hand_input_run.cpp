@@ -16,10 +16,11 @@ using language::ErrorCode;
 /// A number that no stored program can have.
 constexpr std::uint16_t kLineProgram = language::kLastProgram + 1;
 
-/// D-37: G04 and G20 to G23 are not executed here.
+/// D-37: G04, also with an exact stop (G64, BLK-161), and G20 to G23 are not executed here.
 bool is_barred(language::Function function) {
-  constexpr std::uint8_t kDwell = 4, kFirstJump = 20, kLastCall = 23;
-  return function.code == kDwell || (function.code >= kFirstJump && function.code <= kLastCall);
+  constexpr std::uint8_t kDwell = 4, kExactDwell = 64, kFirstJump = 20, kLastCall = 23;
+  return function.code == kDwell || function.code == kExactDwell ||
+         (function.code >= kFirstJump && function.code <= kLastCall);
 }
 
 /// D-37: M00, M01 and M02 are skipped, the rest of their block is executed.

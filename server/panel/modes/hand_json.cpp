@@ -3,6 +3,7 @@
 
 #include "panel/json_readers.hpp"
 #include "panel/modes/editor_json.hpp"
+#include "panel/run/machine_place.hpp"
 
 namespace cnclab::panel {
 
@@ -12,13 +13,20 @@ using Json = nlohmann::json;
 
 constexpr std::int64_t kFarthest_um = 100'000'000;
 
-Json position_json(const std::array<std::int64_t, 3>& um) { return {um[0], um[1], um[2]}; }
+Json place_json(const MachinePlace& place, const ControlState& state) {
+  const auto istwert_um = istwerte_um(state), way_um = way_um_since(place, state);
+  return {istwert_um[0] - way_um[0], istwert_um[1] - way_um[1], istwert_um[2] - way_um[2]};
+}
 
-void read_position(const Json& json, const char* name, std::array<std::int64_t, 3>& um) {
+/// What cannot be read is no way: the place is where the axes stand.
+MachinePlace place_in(const Json& json, const char* name, const KeptIstwert& istwert_um, const ControlState& state) {
   const Json* position = member_of(json, name);
-  if (position == nullptr || !position->is_array() || position->size() != um.size()) return;
-  for (std::size_t axis = 0; axis < um.size(); ++axis)
-    um[axis] = integer_of((*position)[axis], -kFarthest_um, kFarthest_um).value_or(um[axis]);
+  std::array<std::int64_t, 3> way_um{};
+  if (position == nullptr || !position->is_array() || position->size() != way_um.size()) return place_now(state);
+  for (std::size_t axis = 0; axis < way_um.size(); ++axis)
+    if (const auto um = integer_of((*position)[axis], -kFarthest_um, kFarthest_um))
+      way_um[axis] = istwert_um[axis] - *um;
+  return place_behind(way_um, state);
 }
 
 }  // namespace
@@ -45,17 +53,17 @@ HandInputMode hand_input_of(const Json& json, const ControlState& state) {
   return mode;
 }
 
-Json teach_in_json(const TeachInMode& mode) {
+Json teach_in_json(const TeachInMode& mode, const ControlState& state) {
   return {{"program", field_json(mode.program)},
           {"open", mode.is_open},
           {"line", line_json(mode.line)},
-          {"reference", position_json(mode.reference_um)}};
+          {"reference", place_json(mode.reference, state)}};
 }
 
-TeachInMode teach_in_of(const Json& json, const ControlState& state) {
+TeachInMode teach_in_of(const Json& json, const KeptIstwert& istwert_um, const ControlState& state) {
   TeachInMode mode = open_teach_in(state);
   read_field(json, "program", mode.program);
-  read_position(json, "reference", mode.reference_um);
+  mode.reference = place_in(json, "reference", istwert_um, state);
   const Json* line = member_of(json, "line");
   const bool may_be_taught =
       mode.number() != language::kToolTable && !language::is_reserved_for_cycles(mode.number()) && line != nullptr;
@@ -66,14 +74,14 @@ TeachInMode teach_in_of(const Json& json, const ControlState& state) {
   return mode;
 }
 
-Json taught_json(const TaughtPosition& taught) {
-  return {{"program", taught.program}, {"position", position_json(taught.position_um)}};
+Json taught_json(const TaughtPosition& taught, const ControlState& state) {
+  return {{"program", taught.program}, {"position", place_json(taught.place, state)}};
 }
 
-TaughtPosition taught_of(const Json& json) {
+TaughtPosition taught_of(const Json& json, const KeptIstwert& istwert_um, const ControlState& state) {
   TaughtPosition taught;
   taught.program = static_cast<std::uint16_t>(integer_in(json, "program", 0, language::kLastProgram, 0));
-  read_position(json, "position", taught.position_um);
+  taught.place = place_in(json, "position", istwert_um, state);
   return taught;
 }
 

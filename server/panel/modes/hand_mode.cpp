@@ -130,7 +130,7 @@ std::string sentence_of(const HandMode& mode, const ControlState& state) {
   if (mode.sets_istwert && !mode.axis) return std::string(text(Text::wait_istwert_axis, tongue));
   if (mode.sets_istwert) return text(Text::wait_istwert_value, tongue, {std::string_view("XYZ").substr(*mode.axis, 1)});
   if (mode.is_referenced_now) return std::string(text(Text::wait_referenced, tongue));
-  return sentence_of(mode.driving, state, Text::wait_hand);
+  return sentence_of(mode.driving, state, Text::wait_hand, Text::wait_chosen);
 }
 
 }  // namespace cnclab::panel

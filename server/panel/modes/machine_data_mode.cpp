@@ -56,20 +56,25 @@ bool set_clock(const MachineDataMode& mode, ControlState& state) {
                               : state.clock.set_date(state.now, first, second, third);
 }
 
-/// What is allowed, for row 18.
-std::string range_text(int number) {
+/// What is allowed, for row 18. F START/STOP is at most F MAX.
+std::string range_text(int number, const machine::MachineData& data) {
+  constexpr int kFMax = 6, kFStartStop = 10;
   if (number == kTime) return "00 00 00 - 23 59 59";
   if (number == kDate) return "JJ MM TT";
   if (number == kPolarity) return "201, 51503";
   if (number == kBaudRate) return "300, 600, 1200, 2400, 4800";
   const machine::DatumForm* form = form_of(number);
-  return form == nullptr ? "" : std::to_string(form->least) + " - " + std::to_string(form->most);
+  if (form == nullptr) return "";
+  const std::int64_t least = number == kFMax ? data.get(kFStartStop) : form->least;
+  const std::int64_t most = number == kFStartStop ? data.get(kFMax) : form->most;
+  const std::string other = number == kFMax ? " (MD 10 - 9999)" : number == kFStartStop ? " (1 - MD 06)" : "";
+  return std::to_string(least) + " - " + std::to_string(most) + other;
 }
 
 void refuse(MachineDataMode& mode, ControlState& state) {
-  state.message = Message{
-      std::string(text(Text::datum_refused, state.tongue())), 0,
-      text(Text::said_datum_refused, state.tongue(), {block_text(mode.number).substr(1), range_text(mode.number)})};
+  state.message = Message{std::string(text(Text::datum_refused, state.tongue())), 0,
+                          text(Text::said_datum_refused, state.tongue(),
+                               {block_text(mode.number).substr(1), range_text(mode.number, state.data)})};
   show_datum(mode, state, mode.number);
 }
 
@@ -135,6 +140,12 @@ void stored(MachineDataMode& mode, ControlState& state, const StoreRequest& requ
   show_datum(mode, state, next_after(mode.number));
 }
 
+void follow(MachineDataMode& mode, ControlState& state) {
+  if (!mode.awaits_clock) return;
+  mode.awaits_clock = false;
+  show_datum(mode, state, mode.number);
+}
+
 void draw(const MachineDataMode& mode, const ControlState& state, Monitor& monitor) {
   constexpr int kRow = 4, kNameColumn = 7, kValueColumn = 27, kUnitColumn = 37;
   monitor.write(kRow, 0, "NR " + block_text(mode.number).substr(1));
@@ -142,6 +153,8 @@ void draw(const MachineDataMode& mode, const ControlState& state, Monitor& monit
   monitor.write(kRow, kValueColumn, value_text(mode), Attribute::inverse);
   if (const machine::DatumForm* form = form_of(mode.number)) monitor.write(kRow, kUnitColumn, form->unit);
 }
+
+bool has_datum(int number) { return name_of_datum(number) != kNames.end(); }
 
 std::string machine_data_list(const machine::MachineData& data, language::Tongue tongue) {
   std::string list = std::string(title_of(Mode::machine_data, tongue)) + "\n\n";
@@ -154,7 +167,7 @@ std::string machine_data_list(const machine::MachineData& data, language::Tongue
 std::string sentence_of(const MachineDataMode& mode, const ControlState& state) {
   const language::Tongue tongue = state.tongue();
   if (state.storing) return std::string(text(Text::wait_store, tongue));
-  return text(Text::wait_machine_data, tongue, {range_text(mode.number)});
+  return text(Text::wait_machine_data, tongue, {range_text(mode.number, state.data)});
 }
 
 }  // namespace cnclab::panel

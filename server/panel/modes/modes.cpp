@@ -70,6 +70,14 @@ Place place_of(const ActiveMode& mode, const ControlState& state) {
                     mode);
 }
 
+void disarm(ActiveMode& mode, Effect effect) {
+  std::visit(Overloaded{[&](auto& active)
+                          requires requires { disarm(active, effect); }
+                        { disarm(active, effect); },
+                        [](const auto&) {}},
+                        mode);
+}
+
 void press(ActiveMode& mode, ControlState& state, Effect effect, int figure) {
   std::visit(Overloaded{[&](auto& active)
                           requires requires { press(active, state, effect, figure); }
@@ -106,6 +114,7 @@ bool is_of_use(const ActiveMode& mode, Effect effect) {
   const auto* editor = std::get_if<EditorMode>(&mode);
   const bool is_rom = editor != nullptr && editor->is_open && language::is_reserved_for_cycles(editor->number());
   const bool is_change = effect == Effect::store || effect == Effect::erase_block;
+  if (effect == Effect::erase_block && editor != nullptr && !editor->line.is_loaded()) return false;
   return acts(mode, effect) && !(is_rom && is_change);
 }
 

@@ -28,6 +28,9 @@ void close_mode(ActiveMode& mode, ControlState& state);
 
 [[nodiscard]] Mode mode_of(const ActiveMode& mode);
 [[nodiscard]] Place place_of(const ActiveMode& mode, const ControlState& state);
+/// A key was pressed, whether it has an effect here or not: what waits to be confirmed by the next key is over, unless
+/// this is the key that confirms it. Comes before `press`.
+void disarm(ActiveMode& mode, Effect effect);
 /// figure   0..9 of a digit, 0..5 of a direction key
 void press(ActiveMode& mode, ControlState& state, Effect effect, int figure);
 /// Takes notice of what the machine and the time did.
@@ -37,7 +40,8 @@ void stored(ActiveMode& mode, ControlState& state, const StoreRequest& request);
 /// Does the effect act on the line as it stands? Point and sign need a word in millimetres, ↓ one that takes a
 /// parameter (KEY-065).
 [[nodiscard]] bool acts(const ActiveMode& mode, Effect effect);
-/// Is there any use in its key now? Programs of the ROM can be looked at only (DEC-06).
+/// Is there any use in its key now? Programs of the ROM can be looked at only (DEC-06), and a block is loaded before it
+/// is deleted.
 [[nodiscard]] bool is_of_use(const ActiveMode& mode, Effect effect);
 void draw(const ActiveMode& mode, const ControlState& state, Monitor& monitor);
 /// The first block on the screen whose check code did not fit when it was read (ERR-004).

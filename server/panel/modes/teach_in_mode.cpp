@@ -1,10 +1,11 @@
 // Keys of TEACH IN.
 #include "panel/modes/teach_in_mode.hpp"
 
-#include <cmath>
+#include <array>
 
 #include "language/check_block.hpp"
 #include "panel/modes/line_keys.hpp"
+#include "panel/run/machine_place.hpp"
 #include "panel/run/start_check.hpp"
 
 namespace cnclab::panel {
@@ -15,17 +16,9 @@ using language::Address;
 using language::Error;
 using language::ErrorCode;
 
-constexpr std::array kAxes{Address::X, Address::Y, Address::Z};
+constexpr std::array kTaughtAxes{Address::X, Address::Y, Address::Z};
 constexpr language::Function kLine{language::Function::Kind::g, 1};
 constexpr std::uint8_t kProposedG = 1;
-
-std::array<std::int64_t, 3> istwerte_um(const ControlState& state) {
-  constexpr double kUmPerMm = 1000;
-  const machine::Snapshot machine = state.machine();
-  std::array<std::int64_t, 3> um{};
-  for (std::size_t axis = 0; axis < um.size(); ++axis) um[axis] = std::llround(machine.istwert_mm[axis] * kUmPerMm);
-  return um;
-}
 
 std::uint16_t lowest_free(const Memory& memory) {
   std::uint16_t number = 1;
@@ -53,7 +46,7 @@ void open_program(TeachInMode& mode, ControlState& state) {
   const int next = program == nullptr ? 1 : program->blocks.back().number + 1;  // DEC-61: an existing one is continued
   if (next > language::kLastBlock)
     return state.complain(ErrorCode::block_number_wrong, std::string(text(Text::said_program_full, state.tongue())));
-  if (program != nullptr && state.taught.program == number) mode.reference_um = state.taught.position_um;
+  if (program != nullptr && state.taught.program == number) mode.reference = state.taught.place;
   mode.is_open = true;
   offer(mode, state, next);
 }
@@ -66,12 +59,12 @@ void press_prompt(TeachInMode& mode, ControlState& state, Effect effect, int fig
 
 /// After STOP: what was driven stands in X, Y and Z (MOD-038, MOD-041).
 void fill_position(TeachInMode& mode, const ControlState& state) {
-  const auto istwerte = istwerte_um(state);
   const bool is_absolute = state.modal.dimension == program::Dimension::absolute;
-  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
-    const std::int64_t um = is_absolute ? istwerte[axis] : istwerte[axis] - mode.reference_um[axis];
-    const bool stays_empty = !is_absolute && um == 0;
-    mode.line.fill(kAxes[axis], stays_empty ? std::nullopt : std::optional(static_cast<std::int32_t>(um)));
+  const auto words_um = is_absolute ? istwerte_um(state) : way_um_since(mode.reference, state);
+  for (std::size_t axis = 0; axis < kTaughtAxes.size(); ++axis) {
+    const bool stays_empty = !is_absolute && words_um[axis] == 0;
+    mode.line.fill(kTaughtAxes[axis],
+                   stays_empty ? std::nullopt : std::optional(static_cast<std::int32_t>(words_um[axis])));
   }
 }
 
@@ -113,7 +106,7 @@ void press_line(TeachInMode& mode, ControlState& state, Effect effect, int figur
 TeachInMode open_teach_in(const ControlState& state) {
   TeachInMode mode;
   mode.program.offer(lowest_free(state.memory));
-  mode.reference_um = istwerte_um(state);
+  mode.reference = place_now(state);
   return mode;
 }
 
@@ -138,8 +131,9 @@ void follow(TeachInMode& mode, ControlState& state) {
 void stored(TeachInMode& mode, ControlState& state, const StoreRequest& request) {
   const auto* put = std::get_if<PutBlock>(&request);
   if (put == nullptr || !mode.is_open || put->program != mode.number()) return;
-  mode.reference_um = istwerte_um(state);
-  state.taught = {mode.number(), mode.reference_um};
+  mode.reference = place_now(state);
+  state.taught = {mode.number(), mode.reference};
+  state.editor_program = mode.number();  // the program last worked on (D-35)
   const int next = put->block.number + 1;
   if (next <= language::kLastBlock) return offer(mode, state, next);
   mode.is_open = false;

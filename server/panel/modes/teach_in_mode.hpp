@@ -4,10 +4,10 @@
 //   program prompt ──→──▶ line ──START … STOP──▶ X Y Z filled ──EINGABE──▶ stored, next number
 //                          └──→──▶ words, to add F S T M
 //
-// Under G91 the words are the way since the last stored position, under G90 the place itself (D-38).
+// Under G91 the words are the way since the last stored position, under G90 the place itself (D-38). The way is what
+// the axes have done: a counter that is set anew in between is none.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <string>
 
@@ -24,7 +24,7 @@ struct TeachInMode {
   DigitField program{4, {}, 0};
   EntryLine line{1, 1, 1};
   HandDriving driving;
-  std::array<std::int64_t, 3> reference_um{};  ///< last stored position; at first the Istwert on entering
+  MachinePlace reference;  ///< last stored position; at first that on entering
 
   [[nodiscard]] std::uint16_t number() const { return static_cast<std::uint16_t>(program.value.value_or(0)); }
 };

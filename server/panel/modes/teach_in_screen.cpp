@@ -31,7 +31,8 @@ std::string sentence_of(const TeachInMode& mode, const ControlState& state) {
       break;
   }
   const bool is_filled = !mode.line.block().words.empty();
-  return sentence_of(mode.driving, state, is_filled ? Text::wait_teach_filled : Text::wait_teach_empty);
+  return sentence_of(mode.driving, state, is_filled ? Text::wait_teach_filled : Text::wait_teach_empty,
+                     Text::wait_chosen_for_way);  // REFERENZ has no effect here (KEY-047)
 }
 
 }  // namespace cnclab::panel

@@ -118,7 +118,7 @@ void draw(const HandDriving& driving, const ControlState& state, Monitor& monito
       monitor.write(Monitor::kMessageRow, limit_column(axis), text(Text::limit_switch, state.tongue()));
 }
 
-std::string sentence_of(const HandDriving& driving, const ControlState& state, Text ready) {
+std::string sentence_of(const HandDriving& driving, const ControlState& state, Text ready, Text chosen_text) {
   const language::Tongue tongue = state.tongue();
   if (driving.motion.state() == ManualMotion::State::braking) return std::string(text(Text::wait_axes_brake, tongue));
   if (driving.is_moving()) {
@@ -136,7 +136,7 @@ std::string sentence_of(const HandDriving& driving, const ControlState& state, T
     chosen += driving.directions[axis] > 0 ? '+' : '-';
     chosen += "XYZ"[axis];
   }
-  return text(Text::wait_chosen, tongue, {chosen});
+  return text(chosen_text, tongue, {chosen});
 }
 
 }  // namespace cnclab::panel

@@ -40,7 +40,7 @@ void close(HandDriving& driving);
 /// Bild 4: START, STOP, the six directions, the actual values; `Endschalter` for every switch that is active (D-118).
 void draw(const HandDriving& driving, const ControlState& state, Monitor& monitor);
 
-/// What the control waits for; `ready` where a direction is not chosen yet.
-[[nodiscard]] std::string sentence_of(const HandDriving& driving, const ControlState& state, Text ready);
+/// What the control waits for; `ready` where a direction is not chosen yet, `chosen` where one is.
+[[nodiscard]] std::string sentence_of(const HandDriving& driving, const ControlState& state, Text ready, Text chosen);
 
 }  // namespace cnclab::panel

@@ -3,13 +3,6 @@
 
 namespace cnclab::panel {
 
-namespace {
-
-/// A command given now is in the snapshot two ticks later: the tick that runs may have read the ring already.
-constexpr std::uint64_t kAnswerTicks = 2;
-
-}  // namespace
-
 void ManualMotion::begin(const Connection& connection, Kind kind, const Directions& directions) {
   *this = ManualMotion{};
   connection_ = connection;

@@ -18,8 +18,6 @@ constexpr int kItemsPerPoll = 400;
 /// Blocks that may wait: more would only cost memory, and a jump loop without motion would fill it.
 constexpr std::uint64_t kMostBlocksAhead = 8192;
 constexpr double kLeastLookAhead_s = 2;
-/// A command given now is in the snapshot two ticks later: the tick that runs may have read the ring already.
-constexpr std::uint64_t kAnswerTicks = 2;
 
 program::Settings settings_of(const RunOrder& order, bool is_lab_machine) {
   program::Settings settings = interpreter_settings(order.data, order.vocabulary);
@@ -88,6 +86,7 @@ std::expected<void, language::Error> Run::begin(const Connection& connection, Ru
   order_ = std::make_shared<const RunOrder>(std::move(order));
   source_ = std::move(*source);
   steps_per_mm_ = settings.steps_per_mm;
+  offsets_.emplace(order_->start.compensation_mm);
   first_parameters_ = parameters_ = std::make_shared<const program::Parameters>(order_->start.parameters);
   look();
   if (!Preflight::is_needed(order_->programs, order_->start)) return launch();
@@ -138,6 +137,7 @@ bool Run::prepare_block() {
   items_.clear();
   next_item_ = 0;
   auto executed = source_->step(items_);
+  offsets_->take(items_);
   geometry::run_in_step_grid(items_, steps_per_mm_);
   guard_travel();
   guard_tools();
@@ -190,6 +190,7 @@ void Run::forget_done_blocks() {
   const std::uint64_t still_needed = std::min(seen_.finished_sequence, seen_.sequence);
   while (records_.size() > 1 && records_.front().block.sequence < still_needed) records_.pop_front();
   tools_->forget_before(still_needed);
+  offsets_->forget_before(still_needed);
 }
 
 const Run::Record* Run::record(std::uint64_t sequence) const {
@@ -232,9 +233,8 @@ void Run::stop() {
 }
 
 RunEnd Run::finish(RunEnd::Kind kind) {
-  RunEnd end{kind, seen_.cause, std::nullopt, modal(), parameters(), {}};
+  RunEnd end{kind, seen_.cause, std::nullopt, legacy()};
   if (kind == RunEnd::Kind::failed) end.error = failure_;
-  if (kind == RunEnd::Kind::program_end) end.compensation_mm = source_->compensation_mm();
   *this = Run{};
   return end;
 }
@@ -256,11 +256,10 @@ std::optional<RunEnd> Run::poll_check() {
   if (is_stopped_in_check_) return finish(RunEnd::Kind::broken);
   const std::optional<Preflight::Result> result = preflight_->result();
   if (!result) return std::nullopt;
-  const program::ModalState modal = order_->start.modal;
-  const program::Parameters parameters = order_->start.parameters;
+  const Legacy untouched = legacy();
   const auto begun = conclude_check(*result);
   if (begun) return std::nullopt;
-  return RunEnd{RunEnd::Kind::failed, StopCause::none, begun.error(), modal, parameters, {}};
+  return RunEnd{RunEnd::Kind::failed, StopCause::none, begun.error(), untouched};
 }
 
 void Run::feed_replay(Questions questions, std::optional<bool> input_1) {
@@ -338,6 +337,13 @@ const program::Parameters& Run::parameters() const {
   const Record* done = record(seen_.finished_sequence);
   return done == nullptr ? *first_parameters_ : *done->parameters;
 }
+
+std::array<double, 3> Run::compensation_mm() const {
+  const bool is_done = seen_.finished_sequence >= seen_.sequence;
+  return is_done ? offsets_->behind(seen_.finished_sequence) : offsets_->within(seen_.sequence, seen_.path_mm);
+}
+
+Legacy Run::legacy() const { return {modal(), parameters(), compensation_mm()}; }
 
 bool Run::sounds_alarm() const {
   if (state() != State::waiting || seen_.cause != StopCause::programmed_halt || tool_due() != 0) return false;

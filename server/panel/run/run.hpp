@@ -22,6 +22,7 @@
 #include "panel/connection.hpp"
 #include "panel/run/contour_scout.hpp"
 #include "panel/run/long_work.hpp"
+#include "panel/run/offset_record.hpp"
 #include "panel/run/preflight.hpp"
 #include "panel/run/tool_guard.hpp"
 #include "panel/run/travel_guard.hpp"
@@ -45,15 +46,21 @@ struct RunOrder {
   std::optional<machine::ToolList> tools{};  ///< of the machine, with what is in the spindle (DEC-29); nothing: any may
 };
 
-/// How a run ended, and the state to go on with: that of the block really executed, not of the one read ahead.
+/// What a run leaves to the next one, of whatever mode, when it ends at this moment: the state of the block really
+/// executed, not of the one read ahead. Compensation that is in force stays so; the offset in which the tool stands
+/// goes with it, so that it is neither entered twice nor lost (MOD-026, D-39, D-75).
+struct Legacy {
+  program::ModalState modal;
+  program::Parameters parameters{};
+  std::array<double, 3> compensation_mm{};  ///< Istwert minus Sollwert
+};
+
 struct RunEnd {
   enum class Kind : std::uint8_t { program_end, failed, broken, refused };
   Kind kind{};
   machine::StopCause cause = machine::StopCause::none;
   std::optional<language::Error> error;  ///< Kind::failed
-  program::ModalState modal;
-  program::Parameters parameters{};
-  std::array<double, 3> compensation_mm{};  ///< Istwert minus Sollwert where a program ended; else 0 (D-75)
+  Legacy legacy;
 };
 
 /// What execution must know of the machine and the configuration.
@@ -103,6 +110,8 @@ class Run {
   [[nodiscard]] bool shows_blocks() const;          ///< false under M21, and in subprograms under M22
   [[nodiscard]] bool ignores_single_block() const;  ///< in subprograms under M22 (KEY-046)
   [[nodiscard]] program::ModalState modal() const;
+  /// What the next run would begin with if this one ended now.
+  [[nodiscard]] Legacy legacy() const;
   [[nodiscard]] const program::ProgramSet& programs() const { return order_->programs; }
   /// What it was begun with; nullptr where none is present, or nothing has been started because its contours are still
   /// being checked. Another run has another one.
@@ -141,6 +150,7 @@ class Run {
   /// Where EINZELSATZ rests between two blocks: the one that waits for START; nullptr where that cannot be executed.
   [[nodiscard]] const Record* next_record() const;
   [[nodiscard]] const program::Parameters& parameters() const;
+  [[nodiscard]] std::array<double, 3> compensation_mm() const;
   [[nodiscard]] bool is_path_done() const;
   RunEnd finish(RunEnd::Kind kind);
   std::optional<RunEnd> poll_check();
@@ -166,6 +176,7 @@ class Run {
   std::array<double, 4> steps_per_mm_{};
   std::optional<TravelGuard> guard_;
   std::optional<ToolGuard> tools_;
+  std::optional<OffsetRecord> offsets_;
   std::vector<geometry::PathItem> items_;  ///< the newest finished ones, from `next_item_` still to be appended
   std::size_t next_item_ = 0;
   std::deque<Record> records_;

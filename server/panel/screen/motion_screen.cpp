@@ -6,15 +6,10 @@
 #include <string>
 
 #include "language/screen_form.hpp"
+#include "panel/screen/names.hpp"
 #include "panel/screen/status_line.hpp"
 
 namespace cnclab::panel {
-
-namespace {
-
-std::string two_digits(int number) { return (number < 10 ? "0" : "") + std::to_string(number); }
-
-}  // namespace
 
 void draw_start_and_stop(bool is_started, int start_row, Monitor& monitor) {
   monitor.write(start_row, 0, "START", is_started ? Attribute::inverse : Attribute::normal);

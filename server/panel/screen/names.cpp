@@ -1,6 +1,7 @@
 // The names of modes and keys.
 #include "panel/screen/names.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace cnclab::panel {
@@ -84,6 +85,11 @@ std::string_view name_of(Mode mode) {
 std::string_view label_of(Key key) {
   const auto index = static_cast<std::size_t>(key);
   return index < kLabels.size() ? kLabels[index] : std::string_view();
+}
+
+std::string two_digits(int value) {
+  const int shown = std::clamp(value, 0, 99);
+  return {static_cast<char>('0' + shown / 10), static_cast<char>('0' + shown % 10)};
 }
 
 }  // namespace cnclab::panel

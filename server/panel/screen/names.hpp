@@ -1,6 +1,7 @@
 // What modes and keys are called on the screen.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "language/units.hpp"
@@ -14,5 +15,8 @@ namespace cnclab::panel {
 
 /// The label of the key on the original keyboard (D-08): "SPEICHER LÖSCHEN", "→", "C", "+/-".
 [[nodiscard]] std::string_view label_of(Key key);
+
+/// "07": 0 to 99, two figures.
+[[nodiscard]] std::string two_digits(int value);
 
 }  // namespace cnclab::panel

@@ -15,11 +15,6 @@ constexpr int kFrameBottom = 17, kFrameRight = 65;
 constexpr int kSideColumn = 67, kLampColumn = 76;
 constexpr int kSentenceRow = 18, kAllKeysRow = 23;
 
-std::string two_digits(int value) {
-  const int shown = std::clamp(value, 0, 99);
-  return {static_cast<char>('0' + shown / 10), static_cast<char>('0' + shown % 10)};
-}
-
 std::string clock_text(const WallClock& clock) {
   return two_digits(clock.hour) + ':' + two_digits(clock.minute) + ':' + two_digits(clock.second) + ' ' +
          two_digits(clock.day) + '/' + two_digits(clock.month) + '/' + two_digits(clock.year);

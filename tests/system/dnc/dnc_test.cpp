@@ -13,7 +13,6 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-constexpr auto kLimit = 5s;
 const std::string kProgram = "P0001\nN001G11F3000\nN002G01X+5000\nN003G01X-5000\n";
 const std::string kTcp = "[dnc]\nlisten = \"127.0.0.1:0\"\npacing = false\n";
 

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <chrono>
 #include <thread>
-#include <utility>
 
 namespace cnclab::harness {
 
 using namespace std::chrono_literals;
 using Milliseconds = std::chrono::milliseconds;
+
+/// Long enough for whatever comes by itself, on a busy machine too.
+constexpr auto kLimit = 10s;
 
 /// The moment at which waiting ends.
 class Deadline {
@@ -29,10 +31,10 @@ class Deadline {
 /// Asks `condition` again and again until it holds or the limit has passed; returns whether it held. For conditions
 /// that only a question can answer (a one-shot command, a file); everything else is waited for on its descriptor.
 template <class Condition>
-[[nodiscard]] bool eventually(Milliseconds limit, Condition&& condition) {
+[[nodiscard]] bool eventually(Milliseconds limit, const Condition& condition) {
   constexpr auto kBetweenQuestions = 10ms;
   const Deadline deadline(limit);
-  while (!std::forward<Condition>(condition)()) {
+  while (!condition()) {
     if (deadline.has_passed()) return false;
     std::this_thread::sleep_for(kBetweenQuestions);
   }

@@ -21,8 +21,6 @@ namespace {
 namespace asio = boost::asio;
 using asio::ip::tcp;
 
-constexpr auto kLimit = 5s;
-
 }  // namespace
 
 struct RawClient::Impl {
