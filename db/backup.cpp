@@ -12,6 +12,7 @@
 
 #include "db/file_lock.hpp"
 #include "db/inspect.hpp"
+#include "db/migrate.hpp"
 
 namespace cnclab::db {
 namespace {
@@ -28,6 +29,13 @@ std::filesystem::path free_name_beside(const std::filesystem::path& file) {
     std::filesystem::path name = file.string() + ".replaced-" + std::to_string(number);
     if (!std::filesystem::exists(name)) return name;
   }
+}
+
+// A lab that has been started once has both; a copy that failed for want of room, or another file, has not.
+bool holds_a_lab(const std::filesystem::path& file) {
+  auto database = open_read_only(file);
+  return schema_version(database) > 0 &&
+         database.execAndGet("SELECT count(*) FROM lab WHERE key IN ('certificate', 'private_key')").getInt() == 2;
 }
 
 // The old -wal belongs to the old file; left here, SQLite would play it into the new one.
@@ -81,6 +89,14 @@ std::expected<std::filesystem::path, OpenError> restore_database(const std::file
     if (error->kind == OpenError::Kind::damaged)  // its remedy would be another backup
       error->text = from.string() + ": is damaged, or no backup of a lab. Nothing was changed. Name another backup.";
     return std::unexpected(std::move(*error));
+  }
+  try {
+    if (!holds_a_lab(from))
+      return std::unexpected(
+          OpenError{OpenError::Kind::other, from.string() + ": is no backup of a lab: there is no certificate in it. "
+                                                            "Nothing was changed. Name another backup."});
+  } catch (const SQLite::Exception& exception) {
+    return std::unexpected(open_error(from, exception));
   }
   // Copied first and renamed last: whatever fails before leaves the old database in its place.
   const std::filesystem::path incoming = file.string() + ".incoming";

@@ -1,7 +1,6 @@
 // A program's blocks as one text: one line "NUMBER TEXT" for each block, ascending. Private to db/.
 #pragma once
 
-#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,8 +8,6 @@
 #include "db/types.hpp"
 
 namespace cnclab::db {
-
-using BlockTexts = std::map<int, std::string>;
 
 /// A stored block must not be empty (that means "was not there") and must be one line.
 /// errors  StoreFailure of kind `refused`

@@ -31,6 +31,14 @@ SQLite::Database open_to_write(const std::filesystem::path& file) {
   return database;
 }
 
+// A run that has no end belonged to a server that ended without one; its length is what was traced of it (STO-007).
+void close_open_runs(SQLite::Database& database) {
+  database.exec(
+      "UPDATE run SET ended = 'server_lost', ticks = (SELECT coalesce(sum(length(data)), 0) / 36 FROM run_trace "
+      "WHERE run_id = run.id) WHERE ended IS NULL");
+  database.exec("UPDATE run SET seconds = ticks / 1000.0 WHERE seconds IS NULL");
+}
+
 // The database holds the certificate's private key: made for its owner only; -wal and -shm take over the mode.
 int make_private(const std::filesystem::path& file) {
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
@@ -62,6 +70,7 @@ std::expected<Database, OpenError> Database::open(const std::filesystem::path& f
     }
     auto sqlite = open_to_write(file);
     migrate(sqlite, file, migrations());
+    close_open_runs(sqlite);
     return Database(std::make_unique<Statements>(std::move(sqlite), std::move(lock)));
   } catch (const SQLite::Exception& exception) {
     return std::unexpected(open_error(file, exception));
@@ -79,7 +88,10 @@ std::expected<Database, OpenError> Database::open_to_read(const std::filesystem:
     auto sqlite = open_read_only(file);
     sqlite.setBusyTimeout(kBusyTimeout_ms);
     const int known = migrations().back().number;
-    if (const int version = schema_version(sqlite); version != known)
+    const int version = schema_version(sqlite);
+    if (version == 0)
+      return std::unexpected(OpenError{OpenError::Kind::other, file.string() + ": is empty, there is no lab in it."});
+    if (version != known)
       return std::unexpected(OpenError{OpenError::Kind::other,
                                        file.string() + ": has the older database version " + std::to_string(version) +
                                            " (this program reads " + std::to_string(known) +

@@ -21,6 +21,9 @@ struct OpenError {
   std::string text;
 };
 
+/// The stored form of a block under another number.
+using Renumber = std::function<std::string(const std::string& text, int new_number)>;
+
 /// SQLite file in WAL mode, synchronous FULL, foreign keys on. ":memory:" for tests. The repositories' functions throw
 /// `StoreFailure` (failure.hpp) when the store fails (disk full, locked, damaged); `Store` catches it once.
 class Database {
@@ -64,9 +67,10 @@ class Database {
   void replace_program(PersonId id, int program, const std::vector<StoredBlock>& blocks, const Author& author);
   void remove_program(PersonId id, int program, const Author& author);
   [[nodiscard]] std::vector<ProgramVersion> versions(PersonId id, int program);  ///< oldest first
-  /// The blocks' texts of a version, ascending; nothing where there is no such version. 0 = newest. A version that
-  /// removed the program has no blocks. The count of versions goes on when a removed program is stored again.
-  [[nodiscard]] std::optional<std::vector<std::string>> program_at(PersonId id, int program, int version);
+  /// The blocks' texts of a version by their numbers; nothing where there is no such version. 0 = newest. A version
+  /// that removed the program has no blocks. The count of versions goes on when a removed program is stored again. It
+  /// is what was stored then: damage that came later to the program's blocks is not in it, nor seen by it (STO-003).
+  [[nodiscard]] std::optional<BlockTexts> program_at(PersonId id, int program, int version, const Renumber& renumber);
 
   // Machine data (person 0: the lab machine)
   [[nodiscard]] std::vector<StoredDatum> machine_data(PersonId id);

@@ -53,19 +53,12 @@ std::vector<DataVersion> Database::machine_data_versions(PersonId id) {
 std::optional<std::map<int, std::int64_t>> Database::machine_data_at(PersonId id, int version) {
   const std::vector<DataVersion> versions = machine_data_versions(id);
   if (version < 0 || version > static_cast<int>(versions.size())) return std::nullopt;
-  std::map<int, std::int64_t> values;
-  for (const StoredDatum& datum : machine_data(id)) values[datum.number] = datum.value;
-  std::size_t later = 0;  // changes that the version does not hold yet
+  std::size_t changes = 0;  // that made the version; what stands there now may be damaged and has no part in it
   for (const DataVersion& change : versions)
-    if (change.version > version) later += change.numbers.size();
-  Query query(*statements_, "SELECT number, before FROM machine_datum_change WHERE person_id = ?1 ORDER BY id DESC",
-              id);
-  for (; later > 0 && query.next(); --later) {
-    if (query.is_null(1))
-      values.erase(query.small(0));
-    else
-      values[query.small(0)] = query.integer(1);
-  }
+    if (change.version <= version) changes += change.numbers.size();
+  std::map<int, std::int64_t> values;
+  Query query(*statements_, "SELECT number, after FROM machine_datum_change WHERE person_id = ?1 ORDER BY id", id);
+  for (; changes > 0 && query.next(); --changes) values[query.small(0)] = query.integer(1);
   return values;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,8 @@ struct StoredBlock {
   std::uint32_t check_code = 0;
   friend bool operator==(const StoredBlock&, const StoredBlock&) = default;
 };
+
+using BlockTexts = std::map<int, std::string>;  ///< by the blocks' numbers
 
 struct StoredProgram {
   int number = 0;

@@ -1,4 +1,5 @@
-// The versions of a program: written with each change, read back by undoing from the newest (STO-005).
+// The versions of a program: written with each change, read back from what the changes themselves brought (STO-005).
+// The blocks as they stand now have no part in it: a damaged one would make every version before it a damaged one.
 #include "db/block_list.hpp"
 #include "db/change.hpp"
 #include "db/statements.hpp"
@@ -19,25 +20,21 @@ bool has_version(Connection& connection, PersonId id, int program, int version) 
       .next();
 }
 
-BlockTexts newest_texts(Connection& connection, PersonId id, int program) {
-  Query query(connection, "SELECT number, text FROM block WHERE person_id = ?1 AND program = ?2 ORDER BY number", id,
-              program);
-  BlockTexts texts;
-  while (query.next()) texts.emplace_hint(texts.end(), query.small(0), query.text(1));
-  return texts;
-}
-
-// Turns the state after a change into the state before it.
-void undo(BlockTexts& texts, const std::string& kind, int block, std::string before) {
+// Turns the state before a change into the state after it.
+void redo(BlockTexts& texts, const std::string& kind, int block, std::string after, const Renumber& renumber) {
   if (kind == "replace" || kind == "remove") {
-    texts = read_list(before);
-  } else if (kind == "insert") {
-    texts.erase(texts.lower_bound(block), texts.end());
-    texts.merge(read_list(before));
-  } else if (before.empty()) {
+    texts = read_list(after);
+  } else if (kind == "delete") {
     texts.erase(block);
+  } else if (kind == "insert") {
+    BlockTexts moved;
+    for (auto& [number, text] : texts)
+      moved.emplace_hint(moved.end(), number < block ? number : number + 1,
+                         number < block ? std::move(text) : renumber(text, number + 1));
+    moved.emplace(block, std::move(after));
+    texts = std::move(moved);
   } else {
-    texts[block] = std::move(before);
+    texts[block] = std::move(after);
   }
 }
 
@@ -71,18 +68,18 @@ std::vector<ProgramVersion> Database::versions(PersonId id, int program) {
   return found;
 }
 
-std::optional<std::vector<std::string>> Database::program_at(PersonId id, int program, int version) {
+std::optional<BlockTexts> Database::program_at(PersonId id, int program, int version, const Renumber& renumber) {
   const int wanted = version == 0 ? newest_version(*statements_, id, program) : version;
   if (!has_version(*statements_, id, program, wanted)) return std::nullopt;
-  BlockTexts texts = newest_texts(*statements_, id, program);
-  Query later(*statements_,
-              "SELECT kind, block, before FROM program_change WHERE person_id = ?1 AND program = ?2 AND version > ?3 "
-              "ORDER BY version DESC",
-              id, program, wanted);
-  while (later.next()) undo(texts, later.text(0), later.small(1), later.text(2));
-  std::vector<std::string> blocks;
-  for (auto& [number, text] : texts) blocks.push_back(std::move(text));
-  return blocks;
+  // From the last change that holds the whole program, or from the first of all.
+  Query changes(*statements_,
+                "SELECT kind, block, after FROM program_change WHERE person_id = ?1 AND program = ?2 "
+                "AND version <= ?3 AND version >= (SELECT coalesce(max(version), 0) FROM program_change WHERE "
+                "person_id = ?1 AND program = ?2 AND version <= ?3 AND kind IN ('replace', 'remove')) ORDER BY version",
+                id, program, wanted);
+  BlockTexts texts;
+  while (changes.next()) redo(texts, changes.text(0), changes.small(1), changes.text(2), renumber);
+  return texts;
 }
 
 }  // namespace cnclab::db

@@ -178,7 +178,7 @@ const std::vector<ConfigKey>& keys() {
       number_key("lab", "silence_manual_ms", &C::silence_manual_ms, "silence that stops manual motion", 50, 300),
       number_key("lab", "silence_lease_ms", &C::silence_lease_ms, "silence that ends control", 100, 1000),
       number_key("lab", "journal_days", &C::journal_days, "how long the journal is kept", 1, 3650),
-      number_key("lab", "undo_days", &C::undo_days, "how long deleted programs can be restored", 1, 3650),
+      number_key("lab", "undo_days", &C::undo_days, "how long removed students can be restored", 1, 3650),
       model_key(),
       switch_key("control", "planned_functions", &C::planned_functions, "functions that the manual marks as planned"),
       text_key("control", "rests", &C::rests, "rests below one step: exact or original", {"exact", "original"}),
@@ -254,8 +254,7 @@ std::expected<lab::Configuration, std::string> read_configuration(const std::fil
 std::expected<lab::Configuration, std::string> parse_configuration(std::string_view text,
                                                                    const std::filesystem::path& file) {
   const auto ascii = ascii_configuration(text);
-  if (!ascii)
-    return std::unexpected(fmt::format("{}:{}: {}", file.string(), ascii.error().line, ascii.error().reason));
+  if (!ascii) return std::unexpected(fmt::format("{}:{}: {}", file.string(), ascii.error().line, ascii.error().reason));
   return parsed(file, [&] { return toml::parse(*ascii, file.string()); });
 }
 

@@ -51,17 +51,35 @@ std::expected<void, std::string> lock_folder(const fs::path& folder) {
   return {};
 }
 
+/// A lab is not begun anew because its file was cut off; what is written already may stand in the -wal file alone.
+bool is_emptied(const fs::path& database) {
+  std::error_code error;
+  const auto size = fs::file_size(database, error);
+  return !error && size == 0 && !fs::exists(database.string() + "-wal");
+}
+
 std::expected<db::Database, std::string> open_database(const fs::path& folder) {
   if (const auto locked = lock_folder(folder); !locked) return std::unexpected(locked.error());
+  if (is_emptied(folder / kDatabase))
+    return std::unexpected((folder / kDatabase).string() +
+                           ": is empty: the lab that was in it is gone. Restore a backup with --restore BACKUP, or "
+                           "remove the file for a new lab");
   auto database = db::Database::open(folder / kDatabase);
   if (!database) return std::unexpected(database.error().text);
   return std::move(*database);
 }
 
 std::expected<Certificate, std::string> certificate_of(db::Database& database) {
+  const std::string remedy = ". Restore a backup: cnclab-server --restore BACKUP";
   const auto certificate = database.value("certificate");
   const auto key = database.value("private_key");
-  if (certificate && key) return Certificate{*certificate, *key};
+  if (certificate && key) {
+    if (const auto fingerprint = fingerprint_of(*certificate); !fingerprint)
+      return std::unexpected("the certificate in the database is damaged (" + fingerprint.error() + ")" + remedy);
+    return Certificate{*certificate, *key};
+  }
+  if (!database.people(true).empty())  // the stations know the former one, and would not trust another
+    return std::unexpected("the certificate is gone from the database" + remedy);
   auto made = make_certificate();
   if (!made) return std::unexpected("cannot make the server's certificate: " + made.error());
   database.transaction([&] {
@@ -107,7 +125,9 @@ std::expected<DataFolder, std::string> open_data_folder(const fs::path& folder) 
   if (!certificate) return std::unexpected(certificate.error());
   lab::Inheritance inheritance;
   inheritance.newest_epoch = lab::Epoch{number_of(database->value("epoch"))};
-  inheritance.machine.data = lab::machine_data_of(database->machine_data(db::kLabMachine));
+  const auto found = lab::lab_machine_data_of(database->machine_data(db::kLabMachine));
+  inheritance.machine.data = found.data;
+  inheritance.machine.damaged_data = found.damaged;
   inheritance.machine.tools = database->value("tools").value_or("");
   inheritance.machine.workpiece_mm = workpiece_of(database->value("workpiece"));
   inheritance.database = folder / kDatabase;

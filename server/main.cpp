@@ -220,8 +220,9 @@ int main(int argc, char** argv) {
   app.add_option("--language", line.language, "de or en")->check(CLI::IsMember({"de", "en"}));
   app.add_option("--log-level", line.log_level, "trace, debug, info, warn, error")
       ->check(CLI::IsMember({"trace", "debug", "info", "warn", "error", "critical", "off"}));
-  app.add_option("--restore", line.restore, "put this backup in the place of the database, then end");
-  app.add_flag("--new-instructor-password", line.new_instructor_password, "print a new one-time password, then end");
+  auto* restore = app.add_option("--restore", line.restore, "put this backup in the place of the database, then end");
+  app.add_flag("--new-instructor-password", line.new_instructor_password, "print a new one-time password, then end")
+      ->excludes(restore);  // each ends the program: one of the two would be left undone
   app.add_flag("--print-config", line.print_config, "print all keys of lab.toml with comments, then end");
   try {
     app.parse(argc, argv);

@@ -27,6 +27,7 @@ constexpr auto kLikenesses = std::to_array<std::pair<char32_t, char>>({
     {U'■', '#'},
     {U'●', '*'},
     {U'○', 'o'},
+    {U'►', '>'},
     {U'↻', '>'},
     {U'↺', '<'},
     {U'→', '>'},

@@ -1,4 +1,4 @@
-// Two bindings on a line, block after block.
+// Two bindings on a line, block after block; a key with two names has a line of its own.
 #include "station/help_page.hpp"
 
 #include "shared/screen.hpp"
@@ -24,10 +24,19 @@ std::string padded(std::string text, std::size_t columns) {
   return text;
 }
 
+// The control's own texts name its keys as they are labelled on the original, in every language (D-08); the keyboard
+// on the screen is labelled in the reader's.
+bool has_two_names(const Binding& binding, Language language) {
+  const auto* const press = std::get_if<Press>(&binding.action);
+  return language == Language::english && press != nullptr && press->keys.size() == 1 &&
+         binding.label.german != binding.label.english;
+}
+
 std::string described(const Binding& binding, Language language) {
   std::string inputs;
   for (const Input& input : binding.inputs) inputs += (inputs.empty() ? "" : "  ") + input_name(input, language);
-  return padded(std::string(binding.label.in(language)), 18) + inputs;
+  const std::string original = has_two_names(binding, language) ? padded(std::string(binding.label.german), 18) : "";
+  return original + padded(std::string(binding.label.in(language)), 18) + inputs;
 }
 
 std::string inputs_in_code(const Binding& binding) {
@@ -66,6 +75,11 @@ std::vector<std::string> help_lines(Language language) {
     for (const Binding& binding : keymap()) {
       if (binding.group != chapter.group) continue;
       const std::string text = described(binding, language);
+      if (has_two_names(binding, language)) {
+        lines.push_back("  " + text);
+        is_left = true;
+        continue;
+      }
       if (is_left) {
         lines.push_back("  " + padded(text, 40));
       } else {

@@ -174,6 +174,20 @@ const Binding* binding_of(const Input& input) {
   return found == bindings.end() ? nullptr : &*found;
 }
 
+bool is_stop(const Press& press) {
+  return press.keys.size() == 1 && (press.keys.front() == Key::STOP || press.keys.front() == Key::MASCHINE_HALT);
+}
+
+bool is_stop(const Binding& binding) {
+  const auto* const press = std::get_if<Press>(&binding.action);
+  return press != nullptr && is_stop(*press);
+}
+
+bool is_stop(const Input& input) {
+  const Binding* const binding = binding_of(input);
+  return binding != nullptr && is_stop(*binding);
+}
+
 std::string input_name(const Input& input, Language language) {
   if (const auto* const special = std::get_if<Special>(&input)) return std::string(special_name(*special).in(language));
   const char32_t character = std::get<char32_t>(input);

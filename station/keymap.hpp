@@ -78,6 +78,10 @@ struct Binding {
 [[nodiscard]] std::span<const Binding> keymap();
 /// Nothing where the key means nothing here.
 [[nodiscard]] const Binding* binding_of(const Input& input);
+/// Presses STOP or MASCHINE HALT alone: acts whatever is on the screen, and is never dropped (AUTH-006).
+[[nodiscard]] bool is_stop(const Press& press);
+[[nodiscard]] bool is_stop(const Binding& binding);
+[[nodiscard]] bool is_stop(const Input& input);
 /// "Leertaste", "Bild↑", "F9", "x".
 [[nodiscard]] std::string input_name(const Input& input, Language language);
 /// Any keyboard and terminal has it: printable ASCII, Enter, Tab, Backspace.

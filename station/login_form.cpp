@@ -10,7 +10,7 @@ namespace cnclab::station {
 namespace {
 
 constexpr std::size_t kLongestName = 32, kLongestPassword = 256;
-constexpr int kFirstField = 7, kLabel = 4, kValue = 22, kNotice = 16, kWidth = 72;
+constexpr int kFirstField = 7, kLabel = 4, kValue = 26, kNotice = 16, kWidth = 72;
 
 std::uint32_t number_of(const std::u32string& text) {
   const std::string digits = to_utf8(text);

@@ -21,18 +21,15 @@ namespace {
 constexpr auto kRepeat = 60ms;
 constexpr auto kLit = 150ms;
 constexpr auto kTone = 1000ms;
-
-bool is_urgent(const Binding& binding) {
-  const auto* const press = std::get_if<Press>(&binding.action);
-  return press != nullptr && press->keys.size() == 1 &&
-         (press->keys.front() == Key::STOP || press->keys.front() == Key::MASCHINE_HALT);
-}
+// Of inputs that the server has not handled. It hangs up at 256 that wait, and what comes behind them is lost with
+// them.
+constexpr std::uint64_t kMostUnhandled = 200;
 
 Colour colour_of(const Binding& binding) {
   const auto* const press = std::get_if<Press>(&binding.action);
   if (press == nullptr || press->keys.size() != 1) return Colour::standard;
   if (press->keys.front() == Key::START) return Colour::green;
-  return is_urgent(binding) ? Colour::red : Colour::standard;
+  return is_stop(binding) ? Colour::red : Colour::standard;
 }
 
 std::string centred(const std::string& text, int width) {
@@ -62,11 +59,7 @@ asio::awaitable<void> Monitor::run(const bool& is_form_open) {
     if (!is_form_open) {
       if (events_.take_resized()) terminal_.redraw();
       while (const auto event = events_.take()) {
-        if (const auto* const input = std::get_if<Input>(&*event)) {
-          handle(*input);
-        } else {
-          click(std::get<Click>(*event));
-        }
+        std::visit([this](const auto& happened) { handle(happened); }, *event);
       }
       follow_password();
       release_due();
@@ -103,7 +96,7 @@ bool Monitor::is_repeat(const Input& input) {
 // STOP and MASCHINE HALT act whatever is drawn over the monitor.
 void Monitor::press_urgent(const Input& input) {
   const Binding* const binding = binding_of(input);
-  if (binding != nullptr && is_urgent(*binding)) act(*binding, false);
+  if (binding != nullptr && is_stop(*binding)) act(*binding, false);
 }
 
 void Monitor::handle_in_help(const Input& input) {
@@ -163,7 +156,12 @@ void Monitor::follow_password() {
     password_.say(refusal_text(*answer, session_.language()));
 }
 
-void Monitor::click(const Click& click) {
+void Monitor::handle(const Stray& stray) {
+  if (view_ == View::new_password) return handle_password(stray.character);
+  press_urgent(stray.character);
+}
+
+void Monitor::handle(const Click& click) {
   if (view_ == View::new_password) return;
   if (view_ != View::monitor || !session_.may_press()) {
     view_ = View::monitor;
@@ -198,6 +196,7 @@ void Monitor::act(const Binding& binding, bool repeated) {
 
 void Monitor::press(const Press& press, bool repeated) {
   if (press.keys == std::vector{Key::ENTER} && shows_external_data(session_.screen())) return press_latched(repeated);
+  if (session_.unhandled() > kMostUnhandled && !is_stop(press)) return;
   if (!session_.send_keys(press.keys, true, repeated)) return;
   if (press.hold == 0ms) {
     session_.send_keys(press.keys, false, repeated);

@@ -33,11 +33,12 @@ class Monitor {
     std::vector<Key> keys;
   };
   void handle(const Input& input);
+  void handle(const Stray& stray);
+  void handle(const Click& click);
   void handle_in_help(const Input& input);
   void handle_question(const Input& input);
   void handle_password(const Input& input);
   void follow_password();
-  void click(const Click& click);
   void act(const Binding& binding, bool is_repeat);
   void press(const Press& press, bool is_repeat);
   void press_latched(bool is_repeat);

@@ -1,6 +1,7 @@
 // A login that lasts: keys out, screens in, signs of life, and coming back after a cut line (SEAT-004, SEAT-005).
 #pragma once
 
+#include <algorithm>
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <chrono>
@@ -58,6 +59,8 @@ class Session {
   [[nodiscard]] Clock::time_point lost_since() const { return lost_since_; }
   [[nodiscard]] const Screen& screen() const { return screen_; }
   [[nodiscard]] std::uint64_t handled_key() const { return handled_key_; }
+  /// Inputs on their way to the control or waiting there.
+  [[nodiscard]] std::uint64_t unhandled() const { return last_number_ - std::min(last_number_, handled_key_); }
   /// Counts the connections, so that a waiter sees that the line was cut in between.
   [[nodiscard]] std::uint64_t connection() const { return connection_; }
   /// A login without a ticket only looks on (SEAT-003, SEAT-006).

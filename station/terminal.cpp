@@ -3,7 +3,6 @@
 
 #define NCURSES_NOMACROS 1
 #include <curses.h>
-#include <langinfo.h>
 #include <poll.h>
 #include <sys/ioctl.h>
 #include <unistd.h>
@@ -13,6 +12,7 @@
 #include <string>
 
 #include "station/curses_attribute.hpp"
+#include "station/terminal_input.hpp"
 
 namespace cnclab::station {
 
@@ -24,63 +24,8 @@ namespace {
 
 // Long enough for the rest of an escape sequence over a slow line, too short to be felt.
 constexpr int kEscapeDelay_ms = 25;
-
-std::optional<Special> special_of(wint_t code) {
-  if (code > static_cast<wint_t>(KEY_F0) && code <= static_cast<wint_t>(KEY_F(12))) {
-    return static_cast<Special>(static_cast<int>(Special::f1) + static_cast<int>(code) - KEY_F(1));
-  }
-  switch (static_cast<int>(code)) {
-    case KEY_ENTER:
-      return Special::enter;
-    case KEY_BACKSPACE:
-      return Special::backspace;
-    case KEY_UP:
-      return Special::up;
-    case KEY_DOWN:
-      return Special::down;
-    case KEY_LEFT:
-      return Special::left;
-    case KEY_RIGHT:
-      return Special::right;
-    case KEY_PPAGE:
-      return Special::page_up;
-    case KEY_NPAGE:
-      return Special::page_down;
-    case KEY_HOME:
-      return Special::home;
-    case KEY_END:
-      return Special::end;
-    case KEY_IC:
-      return Special::insert;
-    case KEY_DC:
-      return Special::remove;
-    default:
-      return std::nullopt;
-  }
-}
-
-std::optional<Input> character_input(wint_t code) {
-  switch (code) {
-    case L'\r':
-    case L'\n':
-      return Special::enter;
-    case L'\t':
-      return Special::tab;
-    case 8:
-    case 127:
-      return Special::backspace;
-    case 27:
-      return Special::escape;
-    case 3:
-      return Special::ctrl_c;
-    case 12:
-      return Special::ctrl_l;
-    default:
-      break;
-  }
-  if (code < 0x20) return std::nullopt;
-  return static_cast<char32_t>(code);
-}
+// STOP and MASCHINE HALT (keymap.cpp).
+constexpr std::string_view kStops = " !";
 
 }  // namespace
 
@@ -94,24 +39,22 @@ std::expected<std::unique_ptr<Terminal>, Ending> Terminal::open(bool is_ascii) {
     return refused({"Kein Terminal: die Station in einem Terminal starten, oder mit --headless.",
                     "No terminal: start the station in a terminal, or with --headless."});
   }
-  const bool has_utf8 = std::string_view(nl_langinfo(CODESET)) == "UTF-8";
-  std::unique_ptr<Terminal> terminal(new Terminal(is_ascii || !has_utf8 ? Glyphs::ascii : Glyphs::all));
+  std::unique_ptr<Terminal> terminal(new Terminal);
   if (terminal->handle_->screen == nullptr) {
     return refused({"Dieses Terminal ist unbekannt: TERM prüfen, z. B. TERM=xterm-256color.",
                     "This terminal is unknown: check TERM, e.g. TERM=xterm-256color."});
   }
-  terminal->set_up();
+  terminal->set_up(is_ascii);
   return terminal;
 }
 
-Terminal::Terminal(Glyphs glyphs) : handle_(std::make_unique<Handle>()), glyphs_(glyphs) {
+Terminal::Terminal() : handle_(std::make_unique<Handle>()), decoder_(kStops, coding_of_locale()) {
   handle_->screen = ::newterm(nullptr, stdout, stdin);
 }
 
-void Terminal::set_up() {
+void Terminal::set_up(bool is_ascii) {
   ::set_term(handle_->screen);
-  const bool is_linux_console = std::string_view(::termname()).find("linux") != std::string_view::npos;
-  if (is_linux_console && glyphs_ == Glyphs::all) glyphs_ = Glyphs::no_braille;
+  glyphs_ = terminal_glyphs(is_ascii);
   ::set_escdelay(kEscapeDelay_ms);
   ::raw();
   ::noecho();
@@ -121,6 +64,7 @@ void Terminal::set_up() {
   ::curs_set(0);
   ::mousemask(BUTTON1_PRESSED, nullptr);
   ::mouseinterval(0);  // a press counts at once, without waiting whether it becomes a click
+  ask_for_paste_marks();
   if (::has_colors() && ::start_color() == OK && ::use_default_colors() == OK) {
     has_colour_ = true;
     ::init_pair(static_cast<short>(Colour::green), COLOR_GREEN, -1);
@@ -132,6 +76,7 @@ void Terminal::set_up() {
 Terminal::~Terminal() {
   if (handle_->screen == nullptr) return;
   ::mousemask(0, nullptr);
+  leave_paste_marks();
   ::endwin();
   ::delscreen(handle_->screen);
 }
@@ -146,23 +91,7 @@ void Terminal::resize() {
   }
 }
 
-std::optional<TerminalEvent> Terminal::next_event() {
-  for (;;) {
-    wint_t code = 0;
-    const int kind = ::wget_wch(stdscr, &code);
-    if (kind == ERR) return std::nullopt;
-    if (kind == KEY_CODE_YES && code == static_cast<wint_t>(KEY_MOUSE)) {
-      MEVENT mouse{};
-      if (::getmouse(&mouse) == OK && (mouse.bstate & BUTTON1_PRESSED) != 0) return Click{mouse.y, mouse.x};
-      continue;
-    }
-    if (kind == KEY_CODE_YES) {
-      if (const auto special = special_of(code)) return Input(*special);
-    } else if (const auto input = character_input(code)) {
-      return *input;
-    }
-  }
-}
+std::optional<TerminalEvent> Terminal::next_event() { return next_terminal_event(decoder_); }
 
 bool Terminal::is_hung_up() const {
   pollfd descriptor{STDIN_FILENO, POLLIN, 0};

@@ -5,19 +5,13 @@
 #include <memory>
 #include <optional>
 #include <string_view>
-#include <variant>
 
 #include "shared/screen.hpp"
 #include "station/cell_text.hpp"
-#include "station/keymap.hpp"
+#include "station/key_decoder.hpp"
 #include "station/login.hpp"
 
 namespace cnclab::station {
-
-struct Click {
-  int row, column;
-};
-using TerminalEvent = std::variant<Input, Click>;
 
 enum class Colour : std::uint8_t { standard, green, red, yellow };
 
@@ -36,7 +30,7 @@ class Terminal {
   [[nodiscard]] int columns() const;
   /// Takes over the window's size after SIGWINCH.
   void resize();
-  /// The next key or click that has arrived; nothing where none has.
+  /// The next key, click or pasted character that has arrived; nothing where none has.
   [[nodiscard]] std::optional<TerminalEvent> next_event();
   /// Nobody is at the other end any more.
   [[nodiscard]] bool is_hung_up() const;
@@ -51,12 +45,13 @@ class Terminal {
   void beep();
 
  private:
-  explicit Terminal(Glyphs glyphs);
-  void set_up();
+  Terminal();
+  void set_up(bool is_ascii);
 
   struct Handle;
   std::unique_ptr<Handle> handle_;
-  Glyphs glyphs_;
+  KeyDecoder decoder_;
+  Glyphs glyphs_ = Glyphs::all;
   bool has_colour_ = false;
 };
 

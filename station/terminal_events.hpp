@@ -4,10 +4,10 @@
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/posix/stream_descriptor.hpp>
 #include <boost/asio/signal_set.hpp>
-#include <deque>
 #include <optional>
 
 #include "station/broadcast.hpp"
+#include "station/event_queue.hpp"
 #include "station/terminal.hpp"
 
 namespace cnclab::station {
@@ -29,9 +29,9 @@ class TerminalEvents {
 
   Terminal& terminal_;
   Broadcast& changed_;
-  boost::asio::posix::stream_descriptor input_;
+  boost::asio::posix::stream_descriptor input_;  ///< readable when the terminal is
   boost::asio::signal_set window_;
-  std::deque<TerminalEvent> waiting_;
+  EventQueue waiting_;
   bool is_resized_ = false;
 };
 

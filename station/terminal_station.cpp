@@ -63,6 +63,13 @@ bool is_final(const Options& options, const v1::LoginAnswer& refusal) {
   }
 }
 
+// A pasted character is text like a typed one.
+std::optional<Input> form_input(const TerminalEvent& event) {
+  if (const auto* const stray = std::get_if<Stray>(&event)) return stray->character;
+  const auto* const input = std::get_if<Input>(&event);
+  return input == nullptr ? std::nullopt : std::optional(*input);
+}
+
 asio::awaitable<std::expected<Credentials, Ending>> fill_in(Desk& desk, LoginQuestion question) {
   const Language language = language_named(question.welcome.language());
   if (question.refusal && is_final(desk.options, *question.refusal)) {
@@ -72,8 +79,8 @@ asio::awaitable<std::expected<Credentials, Ending>> fill_in(Desk& desk, LoginQue
   for (;;) {
     if (desk.events.take_resized()) desk.terminal.redraw();
     while (const auto event = desk.events.take()) {
-      const auto* const input = std::get_if<Input>(&*event);
-      if (input == nullptr) continue;
+      const auto input = form_input(*event);
+      if (!input) continue;
       const auto state = form.handle(*input);
       if (state == LoginForm::State::submitted) co_return form.credentials();
       if (state == LoginForm::State::cancelled) co_return std::unexpected(Ending{ExitCode::ended_by_user, ""});

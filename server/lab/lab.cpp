@@ -49,6 +49,10 @@ Lab::Lab(Configuration configuration, db::Store& store, machine::TickThread& tic
   beats_.advance(clock_.monotonic_ns());
   keep_epoch();
   journal_.write("server_start", "nobody has control, position unreferenced");  // AUTH-012
+  if (machine_.damaged_data().empty()) return;
+  const std::string damage = damage_sentence(machine_.damaged_data(), language::Tongue::english);
+  spdlog::error("{}; nobody is given the machine until then", damage);
+  journal_.write("checksum", damage);
 }
 
 Lab::~Lab() {

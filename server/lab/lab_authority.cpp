@@ -14,6 +14,8 @@ constexpr std::uint64_t kReserve = 100;  ///< lease numbers kept ahead in the da
 }  // namespace
 
 std::string Lab::decide(const Event& event, language::Tongue tongue) {
+  if (std::holds_alternative<Select>(event) && !machine_.damaged_data().empty())
+    return damage_sentence(machine_.damaged_data(), tongue);
   std::string refusal;
   for (const Action& action : authority_.apply(event, machine_view(), clock_.monotonic_ns())) {
     if (const auto* refused = std::get_if<Refuse>(&action))

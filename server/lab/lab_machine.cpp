@@ -1,9 +1,12 @@
 // The machine's data, tools, workpiece and zeros, as they are set, kept and taken up.
 #include "lab/lab_machine.hpp"
 
+#include <fmt/format.h>
+
 #include <stdexcept>
 #include <utility>
 
+#include "lab/sentences.hpp"
 #include "language/tape.hpp"
 #include "program/program_source.hpp"
 
@@ -35,6 +38,7 @@ LabMachine::LabMachine(const Configuration& configuration, db::Store& store, mac
                        machine::WorkpieceThread& workpieces, const MachineInheritance& inheritance)
     : ticks_(ticks),
       data_(inheritance.data),
+      damaged_data_(inheritance.damaged_data),
       workpiece_mm_(inheritance.workpiece_mm.value_or(workpiece_of(configuration))),
       cell_mm_(configuration.cell_mm),
       site_(workpieces.add(workpiece())),
@@ -85,6 +89,18 @@ void LabMachine::take_up_zero(db::PersonId person, Epoch lease) {
 
 void LabMachine::keep_zero(db::PersonId person) {
   zeros_.keep(static_cast<std::int64_t>(person), channel_->snapshot());
+}
+
+std::string damage_sentence(const std::vector<int>& numbers, language::Tongue tongue) {
+  std::string list, command = "machine-data";
+  for (const int number : numbers) {
+    list += fmt::format("{}{:02}", list.empty() ? "" : ", ", number);
+    command += fmt::format(" {:02}=…", number);
+  }
+  return fmt::format(
+      fmt::runtime(say(tongue, "CHECKSUM FEHLER: Maschinendaten der Maschine beschädigt, Nummer {}. Neu setzen: {}",
+                       "CHECKSUM FEHLER: the machine's data are damaged, number {}. Set them again: {}")),
+      list, command);
 }
 
 bool LabMachine::take_stall() {

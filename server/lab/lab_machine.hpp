@@ -26,6 +26,7 @@ namespace cnclab::lab {
 /// What the machine keeps over restarts.
 struct MachineInheritance {
   machine::MachineData data;
+  std::vector<int> damaged_data;                      ///< numbers of data that were found damaged (STO-003)
   std::string tools;                                  ///< its tool list as a tape with P0000, empty: none (DEC-29)
   std::optional<std::array<double, 3>> workpiece_mm;  ///< as the instructor set it last; else the configuration's
 };
@@ -55,6 +56,12 @@ class LabMachine {
   /// Takes up what was wished, while the machine stands still; true when new data hold. Only while nobody has it.
   [[nodiscard]] bool settle_data();
 
+  /// Numbers of the data that were found damaged and have not been set since: until they are, nobody is given the
+  /// machine, for its limits are not known (AUTH-011, STO-003). Ascending.
+  [[nodiscard]] const std::vector<int>& damaged_data() const { return damaged_data_; }
+  /// Every one of them has been set and stored again.
+  void data_are_whole() { damaged_data_.clear(); }
+
   /// tape   text with P0000 (DEC-29)
   void use_tools(const std::string& tape);
   [[nodiscard]] const std::string& tools_tape() const { return tools_tape_; }
@@ -79,6 +86,7 @@ class LabMachine {
   machine::TickThread& ticks_;
   machine::MachineData data_;
   std::optional<machine::MachineData> wished_data_;
+  std::vector<int> damaged_data_;
   std::string tools_tape_;
   machine::ToolList tools_;
   std::array<double, 3> workpiece_mm_;
@@ -91,5 +99,8 @@ class LabMachine {
   machine::ZeroBook zeros_;
   RunRecorder recorder_;
 };
+
+/// "CHECKSUM FEHLER", which of the machine's data, and what to do.
+[[nodiscard]] std::string damage_sentence(const std::vector<int>& numbers, language::Tongue tongue);
 
 }  // namespace cnclab::lab

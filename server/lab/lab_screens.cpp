@@ -1,5 +1,4 @@
 // Who sees what: screens are drawn when something changed, at most 20 times a second while axes move.
-#include <algorithm>
 #include <utility>
 
 #include "cnclab/v1/envelope.pb.h"
@@ -60,6 +59,7 @@ void Lab::draw(const DeskPtr& desk, std::int64_t now_ns) {
   View seen = desk->view;
   seen.handled_key = 0;
   hide(seen.screen, desk->dnc_token);
+  if (seats_.shown_at(desk->station) != desk) return;  // somebody else sits there by now
   for (const VisitPtr& visit : visits_) {
     if (visit->stage != Stage::looking_on && visit->stage != Stage::at_console) continue;
     if (visit->watched_station != desk->station) continue;
@@ -107,8 +107,7 @@ void Lab::show_empty_seats() {
   for (const VisitPtr& visit : visits_) {
     const bool looks = visit->stage == Stage::looking_on || visit->stage == Stage::at_console;
     if (!looks || visit->watched_station == 0) continue;
-    const auto sits_there = [&](const DeskPtr& desk) { return desk->station == visit->watched_station; };
-    if (std::ranges::any_of(seats_.all(), sits_there)) continue;
+    if (seats_.shown_at(visit->watched_station)) continue;
     const auto tongue = tongue_of(visit->person);
     View empty;
     empty.screen.write(kMiddleRow, 2,

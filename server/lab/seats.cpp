@@ -11,6 +11,14 @@ Seats::DeskPtr Seats::at(int station) const {
   return nullptr;
 }
 
+Seats::DeskPtr Seats::shown_at(int station) const {
+  DeskPtr shown = at(station);
+  if (shown) return shown;
+  for (const DeskPtr& desk : all())
+    if (desk->station == station && (!shown || desk->keep_until_ns > shown->keep_until_ns)) shown = desk;
+  return shown;
+}
+
 Seats::DeskPtr Seats::of(db::PersonId person) const {
   const auto found = desks_.find(person);
   return found == desks_.end() ? nullptr : found->second;

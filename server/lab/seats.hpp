@@ -20,6 +20,9 @@ class Seats {
   [[nodiscard]] std::vector<DeskPtr> list() const { return {all().begin(), all().end()}; }
   /// Who has a connection at that station; nullptr: nobody.
   [[nodiscard]] DeskPtr at(int station) const;
+  /// Who is to be seen at that station: who has a connection there, else whose control is kept there, the last one that
+  /// left; nullptr: nobody.
+  [[nodiscard]] DeskPtr shown_at(int station) const;
   /// Where a person works; nullptr: not logged in.
   [[nodiscard]] DeskPtr of(db::PersonId person) const;
   [[nodiscard]] DeskPtr with(LoginId login) const;

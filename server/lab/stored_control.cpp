@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "language/tape.hpp"
 
@@ -31,6 +32,18 @@ db::StoredBlock renumbered(int program, const db::StoredBlock& stored, int numbe
   }
   block.number = static_cast<std::uint16_t>(number);
   return stored_block(program, block);
+}
+
+bool is_sound(const db::StoredDatum& datum) {
+  return stored_datum(datum.number, datum.value).check_code == datum.check_code;
+}
+
+/// F START/STOP may not exceed F MAX, so the order of setting matters: greatest numbers last would refuse a valid set.
+machine::MachineData set_from(const std::vector<db::StoredDatum>& data) {
+  machine::MachineData result;
+  for (int pass = 0; pass < 2; ++pass)
+    for (const auto& datum : data) static_cast<void>(result.set(datum.number, datum.value));
+  return result;
 }
 
 struct CarryOut {
@@ -104,11 +117,7 @@ panel::Memory memory_of(const std::vector<db::StoredProgram>& programs, int memo
   return memory;
 }
 
-bool is_damaged(const std::vector<db::StoredDatum>& data) {
-  return std::ranges::any_of(data, [](const db::StoredDatum& datum) {
-    return stored_datum(datum.number, datum.value).check_code != datum.check_code;
-  });
-}
+bool is_damaged(const std::vector<db::StoredDatum>& data) { return !std::ranges::all_of(data, is_sound); }
 
 int used_bytes(const panel::Memory& memory) {
   int bytes = 0;
@@ -118,12 +127,20 @@ int used_bytes(const panel::Memory& memory) {
 }
 
 machine::MachineData machine_data_of(const std::vector<db::StoredDatum>& data) {
-  machine::MachineData result;
-  if (is_damaged(data)) return result;
-  // F START/STOP may not exceed F MAX, so the order of setting matters: greatest numbers last would refuse a valid set.
-  for (int pass = 0; pass < 2; ++pass)
-    for (const auto& datum : data) static_cast<void>(result.set(datum.number, datum.value));
-  return result;
+  return is_damaged(data) ? machine::MachineData{} : set_from(data);
+}
+
+FoundMachineData lab_machine_data_of(const std::vector<db::StoredDatum>& data) {
+  FoundMachineData found;
+  if (data.empty()) return found;  // never changed: as delivered
+  std::vector<db::StoredDatum> sound;
+  std::ranges::copy_if(data, std::back_inserter(sound), is_sound);
+  found.data = set_from(sound);
+  for (const auto& form : machine::datum_forms())
+    if (const auto datum = std::ranges::find(sound, form.number, &db::StoredDatum::number);
+        datum == sound.end() || found.data.get(form.number) != datum->value)
+      found.damaged.push_back(form.number);
+  return found;
 }
 
 db::StoredBlock stored_block(int program, const language::Block& block) {
@@ -142,6 +159,21 @@ std::vector<db::StoredBlock> stored_blocks(const language::Program& program) {
 db::StoredDatum stored_datum(int number, std::int64_t value) {
   return {number, value, language::datum_check_code(number, value)};
 }
+
+std::string renumbered_text(int program, const std::string& text, int number) {
+  auto block = language::read_block(text, static_cast<std::uint16_t>(program));
+  if (!block) return text;
+  block->number = static_cast<std::uint16_t>(number);
+  return language::write_block(*block);
+}
+
+std::optional<db::BlockTexts> version_texts(db::Database& database, db::PersonId person, int program, int version) {
+  return database.program_at(person, program, version, [program](const std::string& text, int number) {
+    return renumbered_text(program, text, number);
+  });
+}
+
+bool is_damaged(int program, const db::StoredBlock& block) { return block_of(program, block).is_damaged; }
 
 std::string change_text(const panel::StoreRequest& request) {
   if (const auto* put = std::get_if<panel::PutBlock>(&request))

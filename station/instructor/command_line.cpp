@@ -54,6 +54,7 @@ std::expected<CommandLine, EarlyEnd> read_command_line(const std::vector<std::st
   std::string server = "127.0.0.1:3300";
   CLI::App app(kDescription, "cnclab-instructor");
   add_access(app, line.access, server);
+  app.add_flag("--ascii", line.is_ascii, "the console draws without Unicode");
   add_commands(app, line.command);
   try {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 takes them
@@ -93,6 +94,7 @@ std::vector<std::string> words_of(const std::string& line) {
 std::expected<Command, std::string> read_command(const std::vector<std::string>& words, station::Language language) {
   std::optional<Command> command;
   CLI::App app("", "");
+  app.set_help_flag();  // the page of `?` is the help here
   add_commands(app, command);
   try {
     std::vector<std::string> reversed(words.rbegin(), words.rend());

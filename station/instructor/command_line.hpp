@@ -32,6 +32,7 @@ struct Command {
 
 struct CommandLine {
   Access access;
+  bool is_ascii = false;           ///< the console draws without Unicode
   std::optional<Command> command;  ///< nothing: the console
 };
 

@@ -6,7 +6,9 @@
 
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/io_context.hpp>
+#include <boost/asio/signal_set.hpp>
 #include <chrono>
+#include <csignal>
 #include <exception>
 #include <optional>
 
@@ -42,22 +44,25 @@ Entered enter_now(boost::asio::io_context& context, const Access& access, const 
 class Console {
  public:
   Console(boost::asio::io_context& context, const Access& access, const Credentials& credentials)
-      : context_(context), link_(context, access, credentials, events()) {
+      : context_(context), link_(context, access, credentials, events()), ends_(context, SIGINT, SIGTERM, SIGHUP) {
+    ends_.add(SIGQUIT);
+    ends_.async_wait([this](const boost::system::error_code& cancelled, int) { quits_ = quits_ || !cancelled; });
     model_.server = fmt::format("{}:{}", access.address.host, access.address.port);
     model_.user = credentials.user;
   }
 
-  std::expected<void, Failure> run(Entry entry) {
+  std::expected<void, Failure> run(Entry entry, bool is_ascii) {
     constexpr std::chrono::milliseconds kLook(20);
     model_.language = station::language_named(entry.language);
     link_.start(std::move(entry.client));
-    Window window;
+    Window window(is_ascii);
     while (!quits_ && !failure_) {
       count_lost_seconds();
       window.show(draw_console(model_, Window::columns()));
       context_.run_for(kLook);
       while (const auto input = window.next_input()) take(*input);
     }
+    ends_.cancel();
     link_.stop();
     constexpr std::chrono::milliseconds kFarewell(300);
     context_.run_for(kFarewell);
@@ -102,6 +107,7 @@ class Console {
   boost::asio::io_context& context_;
   ConsoleModel model_;
   ConsoleLink link_;
+  boost::asio::signal_set ends_;
   Clock::time_point lost_since_{};
   std::optional<Failure> failure_;
   bool quits_ = false;
@@ -109,7 +115,7 @@ class Console {
 
 }  // namespace
 
-std::expected<void, Failure> run_console(Access access) {
+std::expected<void, Failure> run_console(Access access, bool is_ascii) {
   if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) {
     return std::unexpected(Failure{static_cast<int>(station::ExitCode::usage),
                                    "the console needs a terminal; a command (see --help) needs none"});
@@ -123,7 +129,7 @@ std::expected<void, Failure> run_console(Access access) {
   credentials->new_password.reset();
   credentials->may_ask = false;
   Console console(context, access, *credentials);
-  return console.run(std::move(*entry));
+  return console.run(std::move(*entry), is_ascii);
 }
 
 }  // namespace cnclab::instructor

@@ -8,7 +8,8 @@
 
 namespace cnclab::instructor {
 
-/// Asks for name and password where they are missing, then runs until the user quits. Needs a terminal of 80×24.
-[[nodiscard]] std::expected<void, Failure> run_console(Access access);
+/// Asks for name and password where they are missing, then runs until the user quits or a signal ends it; the terminal
+/// is as before. Needs a terminal of 80×24. is_ascii  draws without Unicode, as it also does in a locale without UTF-8
+[[nodiscard]] std::expected<void, Failure> run_console(Access access, bool is_ascii);
 
 }  // namespace cnclab::instructor

@@ -153,9 +153,17 @@ Reaction react_special(ConsoleModel model, Special special) {
   return {.model = std::move(model), .request = {}};
 }
 
+/// A line that is wider than the screen goes on in the next one.
 void append_lines(const std::string& text, std::vector<std::string>& lines) {
+  constexpr std::size_t kWidth = Screen::kColumns - 2;
   std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  for (std::string line; std::getline(stream, line);) {
+    std::u32string rest = from_utf8(line);
+    do {
+      lines.push_back(to_utf8(rest.substr(0, kWidth)));
+      rest.erase(0, kWidth);
+    } while (!rest.empty());
+  }
 }
 
 Message done_message(const ConsoleModel& model, const v1::InstructorRequest& request) {
@@ -165,6 +173,8 @@ Message done_message(const ConsoleModel& model, const v1::InstructorRequest& req
     return {fmt::format(fmt::runtime(form.in(model.language)), request.select().station()), false};
   }
   if (request.has_release()) return say(model, {"Niemand hat die Steuerung.", "Nobody has control."});
+  if (request.has_halt() && model.overlay == Overlay::watching)
+    return say(model, {"MASCHINE HALT. In der Tafel hebt c ihn auf.", "MACHINE HALT. In the table c clears it."});
   if (request.has_halt()) return say(model, {"MASCHINE HALT. c hebt ihn auf.", "MACHINE HALT. c clears it."});
   if (request.has_clear_halt()) return say(model, {"Halt aufgehoben.", "Halt cleared."});
   if (request.has_power_off()) return say(model, {"Antriebe stromlos. p schaltet ein.", "Drives off. p switches on."});
@@ -185,6 +195,13 @@ void note_lock(v1::Status& status, const v1::InstructorRequest& request) {
     if (entry.station() == seat) entry.set_locked(request.has_lock());
 }
 
+/// The pasted character is as if it were typed: text of a command, or a key that stops the machine.
+bool acts_pasted(const ConsoleModel& model, char32_t character) {
+  if (model.overlay == Overlay::entry) return true;
+  const bool is_typing = model.overlay == Overlay::watching && model.watched.is_typing;
+  return is_typing ? station::is_stop(station::Input(character)) : character == U'h';
+}
+
 }  // namespace
 
 const v1::StationStatus* seat_of(const v1::Status& status, int seat) {
@@ -193,11 +210,17 @@ const v1::StationStatus* seat_of(const v1::Status& status, int seat) {
   return found == status.stations().end() ? nullptr : &*found;
 }
 
-Reaction react(ConsoleModel model, const Input& input) {
+Reaction react(ConsoleModel model, const Input& pressed) {
+  Input input = pressed;
+  if (const auto* const pasted = std::get_if<Pasted>(&pressed)) {
+    if (!acts_pasted(model, pasted->character)) return {.model = std::move(model), .request = {}};
+    input = Typed{pasted->character};
+  }
   if (auto reaction = react_overlaid(model, input)) return std::move(*reaction);
   return std::visit(Overloaded{[&](const Typed& typed) { return react_typed(std::move(model), typed.character); },
                                [&](Special special) { return react_special(std::move(model), special); },
                                [&](const StationKey&) { return Reaction{.model = std::move(model), .request = {}}; },
+                               [&](const Pasted&) { return Reaction{.model = std::move(model), .request = {}}; },
                                [&](const Clicked& clicked) {
                                  const int seat = clicked.row - kFirstSeatRow + 1;
                                  const bool is_seat = seat >= 1 && seat <= kSeats;
@@ -241,6 +264,7 @@ ConsoleModel with_screen(ConsoleModel model, const Screen& screen) {
 
 ConsoleModel with_line(ConsoleModel model, Link link) {
   model.link = link;
+  model.message = {};  // of what was sent over the line before
   if (model.overlay == Overlay::watching) model.overlay = Overlay::none;
   model.watched = {};
   return model;

@@ -69,11 +69,16 @@ enum class Special : std::uint8_t { up, down, enter, halt, escape, backspace, gi
 struct Clicked {
   int row = 0;
 };
+/// A character of pasted text, or a stop key in the midst of an escape sequence: text where a command is typed, else
+/// only a stop key among them acts.
+struct Pasted {
+  char32_t character = 0;
+};
 /// A key that only a station's keyboard knows.
 struct StationKey {
   station::Special key{};
 };
-using Input = std::variant<Typed, Special, Clicked, StationKey>;
+using Input = std::variant<Typed, Special, Clicked, StationKey, Pasted>;
 
 /// What a user's input leads to.
 struct Reaction {

@@ -29,6 +29,13 @@ Reaction close(ConsoleModel& model) {
   return stay(model);
 }
 
+Reaction begin_command(ConsoleModel& model) {
+  model.overlay = Overlay::entry;
+  model.entry.clear();
+  model.message = {};
+  return stay(model);
+}
+
 /// Cuts the last character off, whatever bytes it has.
 void take_back(std::string& text) {
   while (!text.empty() && (static_cast<unsigned char>(text.back()) & 0xC0U) == 0x80U) text.pop_back();
@@ -65,18 +72,30 @@ Reaction react_entry(ConsoleModel& model, const Input& input) {
   return stay(model);
 }
 
+bool is_key(const Input& input, station::Special key) {
+  const auto* const station_key = std::get_if<StationKey>(&input);
+  return station_key != nullptr && station_key->key == key;
+}
+
+/// The line that a key brings to the top of the page; nothing where it is no key for that.
+std::optional<int> top_after(const Input& input, int top, int last) {
+  using S = station::Special;
+  if (is(input, Special::up)) return top - 1;
+  if (is(input, Special::down)) return top + 1;
+  if (character_of(input) == U' ' || is_key(input, S::page_down)) return top + kPageLines;
+  if (is_key(input, S::page_up)) return top - kPageLines;
+  if (is_key(input, S::home)) return 0;
+  if (is_key(input, S::end)) return last;
+  return std::nullopt;
+}
+
+// What is no key of the page does nothing: the rest of a word that somebody types blindly would command the lab.
 Reaction react_page(ConsoleModel& model, const Input& input) {
   const int last = std::max(0, static_cast<int>(model.page.size()) - kPageLines);
-  if (is(input, Special::up)) {
-    model.page_top = std::max(0, model.page_top - 1);
-  } else if (is(input, Special::down)) {
-    model.page_top = std::min(last, model.page_top + 1);
-  } else if (character_of(input) == U' ' && model.page_top < last) {
-    model.page_top = std::min(last, model.page_top + kPageLines);
-  } else {
-    return close(model);
-  }
-  return stay(model);
+  if (const auto top = top_after(input, model.page_top, last)) model.page_top = std::clamp(*top, 0, last);
+  const bool closes = is(input, Special::escape) || is(input, Special::enter) || is(input, Special::backspace) ||
+                      character_of(input) == U'q';
+  return closes ? close(model) : stay(model);
 }
 
 /// The key of a station's keyboard that an input is.
@@ -120,6 +139,11 @@ Reaction end_watching(ConsoleModel& model) {
 Reaction react_watching(ConsoleModel& model, const Input& input) {
   if (is(input, Special::give_back)) return end_watching(model);
   if (!model.watched.is_typing) {
+    if (character_of(input) == U':') {
+      Reaction reaction = end_watching(model);
+      reaction.model = begin_command(reaction.model).model;
+      return reaction;
+    }
     if (character_of(input) != U't') return end_watching(model);
     Reaction reaction = stay(model);
     reaction.request.emplace();
@@ -144,6 +168,8 @@ std::optional<Reaction> react_overlaid(ConsoleModel& model, const Input& input) 
     if (!takes_letters && !is_watching) model.overlay = Overlay::none;
     return std::nullopt;
   }
+  const bool is_text = model.overlay == Overlay::help || model.overlay == Overlay::page;
+  if (is_text && character_of(input) == U':') return begin_command(model);
   switch (model.overlay) {
     case Overlay::none:
       return std::nullopt;

@@ -12,6 +12,7 @@ namespace {
 
 using station::Text;
 
+constexpr int kLeaseColumn = 44, kLeaseColumnInHalt = 60;
 constexpr int kMachineRow = 18, kTickRow = 19, kMessageRow = 21, kKeysRow = 23;
 
 constexpr std::size_t kTextWidth = Screen::kColumns - 2;
@@ -64,6 +65,7 @@ class Drawing {
     const Text typing{" Platz {}: Ihre Tastatur. F8 gibt sie zurück, F12 MASCHINE HALT ",
                       " Station {}: your keyboard. F8 gives it back, F12 MACHINE HALT "};
     const Text& text = model_.watched.is_typing ? typing : watching;
+    fill(0, Attribute::inverse);
     screen_.write(0, 1, fmt::format(fmt::runtime(say(text)), model_.watched.station), Attribute::inverse);
     if (!model_.message.text.empty()) screen_.write(17, 1, model_.message.text, Attribute::inverse, 64);
     return screen_;
@@ -181,14 +183,19 @@ class Drawing {
   void draw_ticks() {
     if (!model_.status) return;
     const auto& status = *model_.status;
+    const std::string lease = fmt::format("{} {:.0f}", say({"Freigabe Nr", "lease no."}), status.lease());
+    if (!status.halted_by().empty()) {  // who pressed it, whole; the tick can wait (AUTH-006)
+      screen_.write(kTickRow, 1, fmt::format("HALT: {}", status.halted_by()), Attribute::inverse,
+                    kLeaseColumnInHalt - 2);
+      return screen_.write(kTickRow, kLeaseColumnInHalt, lease);
+    }
+    screen_.write(kTickRow, kLeaseColumn, lease);
     screen_.write(kTickRow, 1, say({"Takt", "Tick"}), Attribute::bold);
     screen_.write(kTickRow, 11,
                   fmt::format("{} {:.0f}, {} {:.2f} ms", say({"verspätet", "late"}), status.ticks().late(),
                               say({"längster", "longest"}), status.ticks().longest_ms()));
-    screen_.write(kTickRow, 44, fmt::format("{} {:.0f}", say({"Freigabe Nr", "lease no."}), status.lease()));
-    if (!status.halted_by().empty()) {
-      screen_.write(kTickRow, 62, fmt::format("HALT: {}", status.halted_by()), Attribute::inverse, 17);
-    }
+    if (status.machine().damaged_data_size() > 0)
+      screen_.write(kTickRow, 62, "CHECKSUM FEHLER", Attribute::inverse);
   }
 
   void draw_page() {
@@ -235,16 +242,22 @@ class Drawing {
   }
 
   void draw_keys() {
+    if (model_.overlay == Overlay::page) return draw_page_keys();
     if (model_.overlay != Overlay::entry)
-      screen_.write(kKeysRow - 1, 1,
-                    say({"w Bild  t Tastatur  l sperren  v zeigen  m Nachricht  x abmelden  : Befehl",
-                         "w watch  t keyboard  l lock  v show to all  m message  x expel  : command"}),
-                    Attribute::dim, Screen::kColumns - 1);
-    screen_.write(kKeysRow, 1,
-                  say({"1-9 ↑↓  s wählen  r zurück  F12/h HALT  c Halt auf  p Strom  ? Hilfe  q Ende",
-                       "1-9 ↑↓  s select  r release  F12/h HALT  c clear halt  p power  ? help  q quit"}),
-                  Attribute::dim, Screen::kColumns - 1);
+      write_keys(kKeysRow - 1, {"w Bild  t Tastatur  l sperren  v zeigen  m Nachricht  x abmelden  : Befehl",
+                                "w watch  t keyboard  l lock  v show to all  m message  x expel  : command"});
+    write_keys(kKeysRow, {"1-9 ↑↓  s wählen  r zurück  F12/h HALT  c Halt auf  p Strom  ? Hilfe  q Ende",
+                          "1-9 ↑↓  s select  r release  F12/h HALT  c clear halt  p power  ? help  q quit"});
   }
+
+  void draw_page_keys() {
+    write_keys(kKeysRow - 1, {"↑↓ Zeile   Leertaste Bild↓ Bild↑ Seite   Pos1 Anfang   Ende Schluss",
+                              "↑↓ line   Space PgDn PgUp page   Home beginning   End end"});
+    write_keys(kKeysRow, {"q Esc Enter zurück zur Tafel   : Befehl   F12/h HALT",
+                          "q Esc Enter back to the table   : command   F12/h HALT"});
+  }
+
+  void write_keys(int row, const Text& keys) { screen_.write(row, 1, say(keys), Attribute::dim, Screen::kColumns - 1); }
 
   void draw_help() {
     static constexpr std::array<Text, 16> kLines{{

@@ -44,7 +44,7 @@ int main(int argc, char** argv) {
       return line.error().exit_code;
     }
     if (line->command) return run_command(*line);
-    const auto ended = run_console(line->access);
+    const auto ended = run_console(line->access, line->is_ascii);
     return ended ? 0 : report(ended.error());
   } catch (const std::exception& error) {
     return report({kRefused, error.what()});

@@ -11,63 +11,51 @@
 #include <utility>
 
 #include "station/curses_attribute.hpp"
+#include "station/terminal_input.hpp"
 
 namespace cnclab::instructor {
 namespace {
 
-/// Keys that only a station's keyboard knows.
-std::optional<Input> station_key(wint_t key) {
+// MASCHINE HALT, and what stops at a keyboard that is taken over.
+constexpr std::string_view kStops = "h! ";
+
+/// A key that the console has a meaning of its own for; the others are for a station's keyboard only.
+Input key_input(station::Special key) {
   using S = station::Special;
-  constexpr std::array<std::pair<int, S>, 8> kKeys{{{KEY_LEFT, S::left},
-                                                    {KEY_RIGHT, S::right},
-                                                    {KEY_PPAGE, S::page_up},
-                                                    {KEY_NPAGE, S::page_down},
-                                                    {KEY_HOME, S::home},
-                                                    {KEY_END, S::end},
-                                                    {KEY_IC, S::insert},
-                                                    {KEY_DC, S::remove}}};
-  for (const auto& [code, special] : kKeys)
-    if (key == static_cast<wint_t>(code)) return StationKey{special};
-  constexpr int kFunctionKeys = 12;
-  for (int number = 1; number <= kFunctionKeys; ++number)
-    if (key == static_cast<wint_t>(KEY_F(number)))
-      return StationKey{static_cast<S>(static_cast<int>(S::f1) + number - 1)};
-  return std::nullopt;
+  constexpr std::array<std::pair<S, Special>, 7> kKeys{{{S::up, Special::up},
+                                                        {S::down, Special::down},
+                                                        {S::enter, Special::enter},
+                                                        {S::escape, Special::escape},
+                                                        {S::backspace, Special::backspace},
+                                                        {S::f8, Special::give_back},
+                                                        {S::f12, Special::halt}}};
+  const auto* const found = std::ranges::find(kKeys, key, &std::pair<S, Special>::first);
+  if (found == kKeys.end()) return StationKey{key};
+  return found->second;
 }
 
-std::optional<Input> key_input(wint_t key) {
-  constexpr int kHaltKey = 12;
-  if (key == KEY_UP) return Special::up;
-  if (key == KEY_DOWN) return Special::down;
-  if (key == KEY_ENTER) return Special::enter;
-  if (key == KEY_F(kHaltKey)) return Special::halt;
-  if (key == KEY_BACKSPACE) return Special::backspace;
-  constexpr int kGiveBackKey = 8;
-  if (key == KEY_F(kGiveBackKey)) return Special::give_back;
-  if (auto other = station_key(key)) return other;
-  if (key != KEY_MOUSE) return std::nullopt;
-  MEVENT event{};
-  if (getmouse(&event) != OK || (event.bstate & (BUTTON1_PRESSED | BUTTON1_CLICKED)) == 0) return std::nullopt;
-  return Clicked{event.y};
+Input input_of(const station::TerminalEvent& event) {
+  if (const auto* const click = std::get_if<station::Click>(&event)) return Clicked{click->row};
+  if (const auto* const stray = std::get_if<station::Stray>(&event)) return Pasted{stray->character};
+  const auto& input = std::get<station::Input>(event);
+  if (const auto* const character = std::get_if<char32_t>(&input)) return Typed{*character};
+  return key_input(std::get<station::Special>(input));
 }
 
-Input character_input(wint_t character) {
-  constexpr wint_t kEscape = 27;
-  if (character == L'\n' || character == L'\r') return Special::enter;
-  if (character == kEscape) return Special::escape;
-  constexpr wint_t kDelete = 127, kBackspace = 8;
-  if (character == kDelete || character == kBackspace) return Special::backspace;
-  if (character == L'\t') return StationKey{station::Special::tab};
-  return Typed{static_cast<char32_t>(character)};
+/// Of the user's locale, which holds from now on.
+station::Coding coding() {
+  std::setlocale(LC_ALL, "");
+  return station::coding_of_locale();
 }
 
-void put(const Screen& screen, int left) {
+void put(const Screen& stands, int left, station::Glyphs glyphs) {
+  const Screen screen = glyphs == station::Glyphs::ascii ? station::with_wide_arrows(stands) : stands;
   const int rows = std::min(LINES, Screen::kRows);
   const int columns = std::min(COLS - left, Screen::kColumns);
   for (int row = 0; row < rows; ++row) {
     for (int column = 0; column < columns; ++column) {
       const Cell& cell = screen.at(row, column);
-      const wchar_t text[] = {static_cast<wchar_t>(cell.code), L'\0'};
+      const wchar_t text[] = {static_cast<wchar_t>(station::shown_code(cell.code, glyphs)), L'\0'};
       cchar_t character{};
       setcchar(&character, text, station::curses_attribute(cell.attribute), 0, nullptr);
       mvadd_wch(row, left + column, &character);
@@ -77,9 +65,9 @@ void put(const Screen& screen, int left) {
 
 }  // namespace
 
-Window::Window() {
-  std::setlocale(LC_ALL, "");
+Window::Window(bool is_ascii) : decoder_(kStops, coding()) {
   initscr();
+  glyphs_ = station::terminal_glyphs(is_ascii);
   set_escdelay(25);  // ms until a lone Esc is one
   cbreak();
   noecho();
@@ -88,30 +76,27 @@ Window::Window() {
   keypad(stdscr, TRUE);
   nodelay(stdscr, TRUE);
   mouseinterval(0);
-  mousemask(BUTTON1_PRESSED | BUTTON1_CLICKED, nullptr);
+  mousemask(BUTTON1_PRESSED, nullptr);
+  station::ask_for_paste_marks();
 }
 
-Window::~Window() { endwin(); }
+Window::~Window() {
+  station::leave_paste_marks();
+  endwin();
+}
 
 void Window::show(const Drawn& drawn) {
   erase();
-  put(drawn.screen, 0);
-  if (drawn.beside) put(*drawn.beside, Screen::kColumns + 1);
+  put(drawn.screen, 0, glyphs_);
+  if (drawn.beside) put(*drawn.beside, Screen::kColumns + 1, glyphs_);
   refresh();
 }
 
 int Window::columns() { return COLS; }
 
 std::optional<Input> Window::next_input() {
-  wint_t key = 0;
-  switch (get_wch(&key)) {
-    case OK:
-      return character_input(key);
-    case KEY_CODE_YES:
-      return key_input(key);
-    default:
-      return std::nullopt;
-  }
+  const auto event = station::next_terminal_event(decoder_);
+  return event ? std::optional(input_of(*event)) : std::nullopt;
 }
 
 }  // namespace cnclab::instructor

@@ -5,13 +5,16 @@
 
 #include "instructor/console_model.hpp"
 #include "instructor/console_view.hpp"
+#include "station/cell_text.hpp"
+#include "station/key_decoder.hpp"
 
 namespace cnclab::instructor {
 
 /// One at a time; the terminal is as before when it goes.
 class Window {
  public:
-  Window();
+  /// is_ascii  also chosen by a locale without UTF-8
+  explicit Window(bool is_ascii);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
@@ -21,6 +24,10 @@ class Window {
   [[nodiscard]] static int columns();
   /// What the user did; nothing while they do nothing. Never waits.
   [[nodiscard]] std::optional<Input> next_input();
+
+ private:
+  station::KeyDecoder decoder_;
+  station::Glyphs glyphs_ = station::Glyphs::all;
 };
 
 }  // namespace cnclab::instructor

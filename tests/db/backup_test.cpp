@@ -38,10 +38,37 @@ TEST(Backup, ThatCannotBeWrittenIsAnErrorAndLeavesTheOldCopy) {
   EXPECT_THROW(database.backup_to(folder.path() / "no" / "copy.db"), std::runtime_error);
 }
 
+// What a started lab has beside its people.
+void make_lab(Database& database) {
+  database.put_value("certificate", "c");
+  database.put_value("private_key", "k");
+}
+
+TEST(Restore, STO_008_AFileThatHoldsNoLabChangesNothing) {
+  const LabFolder folder;
+  {
+    auto database = opened(folder.file());
+    make_lab(database);
+  }
+  {
+    const std::ofstream empty(folder.path() / "empty.db");
+    opened(folder.path() / "unused.db");
+  }
+  const std::string before = content(folder.file());
+  for (const char* name : {"empty.db", "unused.db"}) {
+    const auto refused = restore_database(folder.path() / name, folder.file());
+    ASSERT_FALSE(refused) << name;
+    EXPECT_THAT(refused.error().text, HasSubstr("is no backup of a lab"));
+  }
+  EXPECT_FALSE(restore_database("/dev/null", folder.file()));
+  EXPECT_EQ(content(folder.file()), before);
+}
+
 TEST(Restore, TakesTheCopyKeepsTheOldAsideAndLeavesNoStaleWal) {
   const LabFolder folder;
   {
     auto database = opened(folder.file());
+    make_lab(database);
     database.put_value("epoch", "1");
     ASSERT_TRUE(copy_database(folder.file(), folder.path() / "copy.db"));
     database.put_value("epoch", "2");

@@ -42,6 +42,25 @@ TEST(MachineData, EachChangeKeepsWhatWasBefore) {  // STO-005
             "none>3000 schueler01,3000>1000 lehrer");
 }
 
+TEST(Runs, STO_007_ARunThatItsServerDidNotEndIsClosedWithItsReasonAtTheNextOpening) {
+  const LabFolder folder;
+  std::int64_t run = 0;
+  {
+    auto database = opened(folder.file());
+    RunRecord record;
+    record.person = add_student(database, "anna");
+    record.machine = "lab";
+    record.setup = "{}";
+    run = database.begin_run(record);
+    database.add_trace(run, 1, std::string(36 * 1500, 'x'));
+    EXPECT_EQ(database.run(run)->ended, "") << "while it lasts";
+  }
+  const auto closed = opened(folder.file()).run(run);
+  EXPECT_EQ(closed->ended, "server_lost");
+  EXPECT_EQ(closed->seconds, 1.5);
+  EXPECT_EQ(closed->digest, "") << "not to be replayed";
+}
+
 TEST(MachineData, WhatWasStoredTogetherIsOneVersionAndComesBack) {  // STO-005
   auto database = opened(":memory:");
   const PersonId anna = add_student(database, "anna");

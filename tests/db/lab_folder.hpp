@@ -7,8 +7,11 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
+#include <ranges>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "db/database.hpp"
 
@@ -67,6 +70,15 @@ inline StoredBlock block(int number, const std::string& words) {
 }
 
 inline StoredBlock renumbered(const StoredBlock& old, int number) { return block(number, old.text.substr(4)); }
+
+/// The blocks' texts of a version, ascending.
+inline std::optional<std::vector<std::string>> texts_at(Database& database, PersonId id, int program, int version) {
+  const auto texts = database.program_at(
+      id, program, version, [](const std::string& text, int number) { return block(number, text.substr(4)).text; });
+  if (!texts) return std::nullopt;
+  const auto blocks = std::views::values(*texts);
+  return std::vector<std::string>(blocks.begin(), blocks.end());
+}
 
 inline std::string content(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);

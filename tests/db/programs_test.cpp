@@ -49,7 +49,7 @@ TEST_F(Programs, InsertRaisesTheNumbersThatFollowAndKeepsGaps) {  // EDIT-020
   database.insert_block(anna, 1, block(2, "NEU"), kAuthor, renumbered);
   EXPECT_THAT(database.programs(anna).at(0).blocks,
               ElementsAre(block(1, "A"), block(2, "NEU"), block(3, "B"), block(4, "C"), block(8, "D")));
-  EXPECT_THAT(database.program_at(anna, 1, 1), Optional(ElementsAre("N001A", "N002B", "N003C", "N007D")));
+  EXPECT_THAT(texts_at(database, anna, 1, 1), Optional(ElementsAre("N001A", "N002B", "N003C", "N007D")));
 }
 
 TEST_F(Programs, InsertThatWouldPassN999ChangesNothing) {  // D-47
@@ -67,7 +67,7 @@ TEST_F(Programs, DeletingTheLastBlockLeavesAnEmptyProgram) {
   database.delete_block(anna, 1, 1, kAuthor);
   ASSERT_EQ(database.programs(anna).size(), 1U);
   EXPECT_THAT(database.programs(anna)[0].blocks, IsEmpty());
-  EXPECT_THAT(database.program_at(anna, 1, 1), Optional(ElementsAre("N001A")));
+  EXPECT_THAT(texts_at(database, anna, 1, 1), Optional(ElementsAre("N001A")));
 }
 
 TEST_F(Programs, WhatIsNotThereIsDeletedWithoutAVersion) {
@@ -93,21 +93,21 @@ TEST_F(Programs, VersionsGoOnAfterRemovalAndEachCanBeRead) {  // STO-005
   EXPECT_EQ(versions[2].kind, "remove");
   EXPECT_EQ(versions[2].author.station, 1);
   EXPECT_EQ(versions[3].version, 4);
-  EXPECT_THAT(database.program_at(anna, 1, 1), Optional(ElementsAre("N001A")));
-  EXPECT_THAT(database.program_at(anna, 1, 2), Optional(ElementsAre("N001B")));
-  EXPECT_THAT(database.program_at(anna, 1, 3), Optional(IsEmpty()));
-  EXPECT_THAT(database.program_at(anna, 1, 4), Optional(ElementsAre("N002C")));
-  EXPECT_THAT(database.program_at(anna, 1, 0), Optional(ElementsAre("N002C")));
-  EXPECT_EQ(database.program_at(anna, 1, 5), std::nullopt);
-  EXPECT_EQ(database.program_at(anna, 1, -1), std::nullopt);
-  EXPECT_EQ(database.program_at(anna, 2, 0), std::nullopt);
+  EXPECT_THAT(texts_at(database, anna, 1, 1), Optional(ElementsAre("N001A")));
+  EXPECT_THAT(texts_at(database, anna, 1, 2), Optional(ElementsAre("N001B")));
+  EXPECT_THAT(texts_at(database, anna, 1, 3), Optional(IsEmpty()));
+  EXPECT_THAT(texts_at(database, anna, 1, 4), Optional(ElementsAre("N002C")));
+  EXPECT_THAT(texts_at(database, anna, 1, 0), Optional(ElementsAre("N002C")));
+  EXPECT_EQ(texts_at(database, anna, 1, 5), std::nullopt);
+  EXPECT_EQ(texts_at(database, anna, 1, -1), std::nullopt);
+  EXPECT_EQ(texts_at(database, anna, 2, 0), std::nullopt);
 }
 
 TEST_F(Programs, ASecondPersonSeesAndChangesNothingOfTheFirst) {  // STO-001
   database.put_block(anna, 1, block(1, "A"), kAuthor);
   EXPECT_THAT(database.programs(berta), IsEmpty());
   EXPECT_THAT(database.versions(berta, 1), IsEmpty());
-  EXPECT_EQ(database.program_at(berta, 1, 0), std::nullopt);
+  EXPECT_EQ(texts_at(database, berta, 1, 0), std::nullopt);
   database.delete_block(berta, 1, 1, kAuthor);
   database.remove_program(berta, 1, kAuthor);
   database.put_block(berta, 1, block(1, "B"), kAuthor);
@@ -150,7 +150,7 @@ TEST_F(Programs, LargestProgramIsInsertedIntoAtItsHead) {
   ASSERT_EQ(stored.size(), 999U);
   EXPECT_EQ(stored[0], block(1, "G90"));
   EXPECT_EQ(stored[998], block(999, "G01X+998"));
-  EXPECT_EQ(database.program_at(anna, 1, 1)->size(), 998U);
+  EXPECT_EQ(texts_at(database, anna, 1, 1)->size(), 998U);
 }
 
 }  // namespace

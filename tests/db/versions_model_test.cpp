@@ -91,7 +91,7 @@ void compare(Database& database, const std::vector<PersonId>& people, const Mode
   for (const auto& [key, expected] : model.programs) {
     const PersonId id = people.at(static_cast<std::size_t>(key.first));
     for (std::size_t i = 0; i < expected.versions.size(); ++i)
-      RC_ASSERT(database.program_at(id, key.second, static_cast<int>(i) + 1) == texts(expected.versions[i]));
+      RC_ASSERT(texts_at(database, id, key.second, static_cast<int>(i) + 1) == texts(expected.versions[i]));
     RC_ASSERT(database.versions(id, key.second).size() == expected.versions.size());
     if (expected.is_stored) ++stored_programs;
     for (const StoredProgram& program : database.programs(id))

@@ -80,10 +80,85 @@ TEST(ConsolePage, INS_003_a_long_answer_is_scrolled_and_closed) {
   ASSERT_EQ(model.overlay, Overlay::page);
   EXPECT_THAT(draw_console(model).screen.text(kFirstSeatRow), HasSubstr("\"s0\""));
   model = react(model, Typed{U' '}).model;
-  EXPECT_THAT(draw_console(model).screen.text(kFirstSeatRow), HasSubstr("\"s15\""));
-  for (int i = 0; i < 50; ++i) model = react(model, Special::down).model;
-  EXPECT_EQ(model.page_top, 25);
+  EXPECT_THAT(draw_console(model).screen.text(kFirstSeatRow + 1), HasSubstr("\"s8\"")) << "two rows each";
+  for (int i = 0; i < 80; ++i) model = react(model, Special::down).model;
+  EXPECT_EQ(model.page_top, 65);
   EXPECT_EQ(react(model, Special::escape).model.overlay, Overlay::none);
+}
+
+ConsoleModel with_page(int lines) {
+  v1::InstructorRequest request;
+  request.mutable_students();
+  v1::InstructorAnswer answer;
+  for (int i = 0; i < lines; ++i) answer.add_items()->mutable_student()->set_name("s" + std::to_string(i));
+  return with_answer(connected(), request, answer);
+}
+
+TEST(ConsolePage, what_is_typed_blindly_over_a_list_commands_nothing) {
+  ConsoleModel model = with_page(3);
+  for (const char32_t character : std::u32string(U"sStpx1")) {
+    Reaction reaction = react(std::move(model), Typed{character});
+    EXPECT_EQ(asked(reaction), "-");
+    model = std::move(reaction.model);
+  }
+  EXPECT_EQ(model.overlay, Overlay::page);
+  EXPECT_EQ(model.chosen, 7);
+  EXPECT_EQ(asked(react(model, Typed{U'h'})), "halt { }") << "AUTH-006";
+  for (const Input& key :
+       {Input(Typed{U'q'}), Input(Special::escape), Input(Special::enter), Input(Special::backspace)})
+    EXPECT_EQ(react(model, key).model.overlay, Overlay::none);
+}
+
+TEST(ConsolePage, INS_005_a_command_can_be_typed_while_something_lies_over_the_table) {
+  EXPECT_EQ(asked(entered(with_page(3), U":status")), "status { }");
+  EXPECT_EQ(asked(entered(react(connected(), Typed{U'?'}).model, U":status")), "status { }");
+  v1::InstructorRequest watch;
+  watch.mutable_watch()->set_station(7);
+  const Reaction begun = react(with_answer(connected(), watch, {}), Typed{U':'});
+  EXPECT_EQ(asked(begun), "watch { }") << "watching ends";
+  EXPECT_EQ(asked(entered(begun.model, U"status")), "status { }");
+}
+
+TEST(ConsolePage, the_keys_of_a_list_stand_below_it_and_page_through_it) {
+  ConsoleModel model = with_page(40);
+  EXPECT_THAT(draw_console(model).screen.text(22), HasSubstr("Bild↓"));
+  EXPECT_THAT(draw_console(model).screen.text(23), HasSubstr(": Befehl"));
+  EXPECT_THAT(draw_console(model).screen.text(23), testing::Not(HasSubstr("s wählen")));
+  struct Row {
+    Input key;
+    int top;
+  };
+  const Row rows[] = {{StationKey{station::Special::page_down}, 15}, {Special::down, 16},
+                      {StationKey{station::Special::page_up}, 1},    {StationKey{station::Special::end}, 65},
+                      {StationKey{station::Special::home}, 0},       {Special::up, 0}};
+  for (const Row& row : rows) {
+    model = react(std::move(model), row.key).model;
+    EXPECT_EQ(model.page_top, row.top);
+  }
+}
+
+TEST(ConsolePage, INS_003_a_line_wider_than_the_screen_goes_on_in_the_next) {
+  v1::InstructorRequest request;
+  request.mutable_students();
+  v1::InstructorAnswer answer;
+  answer.add_items()->mutable_student()->set_name(std::string(100, 'x') + "yz");
+  const Screen screen = draw_console(with_answer(connected(), request, answer)).screen;
+  EXPECT_THAT(screen.text(kFirstSeatRow), HasSubstr("xxx"));
+  EXPECT_THAT(screen.text(kFirstSeatRow + 1), HasSubstr("yz"));
+}
+
+TEST(ConsolePaste, pasted_text_is_text_of_a_command_and_elsewhere_only_a_halt_in_it_acts) {
+  for (const char32_t character : std::u32string(U"sSp1?:q!"))
+    EXPECT_EQ(asked(react(connected(), Pasted{character})), "-");
+  EXPECT_EQ(react(connected(), Pasted{U':'}).model.overlay, Overlay::none);
+  EXPECT_EQ(asked(react(connected(), Pasted{U'h'})), "halt { }") << "AUTH-006";
+  const ConsoleModel entry = react(connected(), Typed{U':'}).model;
+  EXPECT_EQ(react(entry, Pasted{U'h'}).model.entry, "h");
+  v1::InstructorRequest take;
+  take.mutable_take()->set_station(7);
+  const ConsoleModel typing = with_answer(connected(), take, {});
+  EXPECT_THAT(react(typing, Pasted{U's'}).keys, IsEmpty());
+  EXPECT_THAT(react(typing, Pasted{U'!'}).keys, ElementsAre(Key::MASCHINE_HALT));
 }
 
 TEST(ConsoleWatching, INS_002_a_stations_screen_fills_the_console_until_a_key) {
@@ -134,6 +209,31 @@ TEST(ConsoleWatching, INS_002_keys_go_to_the_keyboard_taken_over_until_F8) {
   const Reaction given = react(model, Special::give_back);
   EXPECT_EQ(asked(given), "give { station: 7 }");
   EXPECT_THAT(react(given.model, Typed{U'7'}).keys, IsEmpty());
+}
+
+TEST(ConsoleWatching, the_titles_line_is_the_consoles_own_and_a_halt_says_where_c_clears_it) {
+  v1::InstructorRequest watch, halt;
+  watch.mutable_watch()->set_station(7);
+  halt.mutable_halt();
+  ConsoleModel model = with_answer(connected(), watch, {});
+  Screen screen;
+  screen.write(0, 66, "Platz 07");
+  model = with_screen(std::move(model), screen);
+  EXPECT_THAT(draw_console(model).screen.text(0), testing::Not(HasSubstr("07")));
+  EXPECT_THAT(with_answer(model, halt, {}).message.text, HasSubstr("In der Tafel"));
+  EXPECT_THAT(with_answer(connected(), halt, {}).message.text, testing::Not(HasSubstr("In der Tafel")));
+}
+
+TEST(ConsoleWatching, SEAT_005_what_the_lost_line_refused_is_told_until_there_is_one_again) {
+  ConsoleModel model = react(with_line(connected(), Link::lost), Typed{U's'}).model;
+  EXPECT_THAT(model.message.text, HasSubstr("nichts gesendet"));
+  EXPECT_EQ(with_line(std::move(model), Link::connected).message.text, "");
+}
+
+TEST(ConsoleEntry, help_is_no_command_here) {
+  const Reaction reaction = entered(connected(), U":--help");
+  EXPECT_TRUE(reaction.model.message.is_error);
+  EXPECT_THAT(reaction.model.message.text, HasSubstr("--help"));
 }
 
 TEST(ConsoleWatching, SEAT_005_a_lost_line_ends_watching_and_typing) {

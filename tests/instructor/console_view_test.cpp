@@ -134,6 +134,10 @@ TEST(ConsoleView, AUTH_006_the_screen_names_who_halted) {
   ConsoleModel model = lesson();
   model.status->set_halted_by("Platz 9");
   EXPECT_THAT(draw_console(model).screen.text(19), HasSubstr("HALT: Platz 9"));
+  const std::string longest = "Platz 13, " + std::string(32, 'n');
+  model.status->set_halted_by(longest);
+  EXPECT_THAT(draw_console(model).screen.text(19),
+              AllOf(HasSubstr("HALT: " + longest + " "), HasSubstr("Freigabe Nr 12")));
 }
 
 TEST(ConsoleView, AUTH_005_an_offer_is_shown_at_its_seat) {

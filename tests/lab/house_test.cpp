@@ -1,6 +1,7 @@
 // What the lab forgets by itself, and what a screen says that could not store (INS-004, STO-005, STO-006, STO-009).
 #include <gtest/gtest.h>
 
+#include "lab/stored_control.hpp"
 #include "small_lab.hpp"
 
 namespace cnclab::lab {
@@ -43,9 +44,9 @@ TEST_F(House, STO_005_a_removed_program_can_be_restored_after_30_days_too) {
   });
   poll();
   pass_days(31);
-  std::optional<std::vector<std::string>> blocks;
-  with_database([&](db::Database& database) { blocks = database.program_at(database.person("eva")->id, 1, 1); });
-  EXPECT_EQ(blocks, std::vector<std::string>{"N001G00X+1000"});
+  std::optional<db::BlockTexts> blocks;
+  with_database([&](db::Database& database) { blocks = version_texts(database, database.person("eva")->id, 1, 1); });
+  EXPECT_EQ(blocks, (db::BlockTexts{{1, "N001G00X+1000"}}));
 }
 
 TEST_F(House, STO_006_the_journal_is_kept_for_90_days) {

@@ -120,6 +120,51 @@ TEST_F(LabTest, SEC_005_AtMostSixtyFourConnectionsWaitForTheirLogin) {
   EXPECT_FALSE(one_more.peer->reason.empty());
 }
 
+TEST_F(LabTest, INS_001_WhoSitsAtASeatIsShownAndNotWhoseControlIsKeptThere) {
+  Caller console = call(v1::CLIENT_KIND_INSTRUCTOR), eva = call(), udo = call();
+  log_in(console, "lehrer", 0);
+  log_in(eva, "eva", 7);
+  lab_->lost(eva.visit);
+  const auto stations = [&] {
+    v1::InstructorRequest request;
+    request.mutable_status();
+    return ask(console, request).items(0).status().stations();
+  };
+  const auto watched = [&] {
+    unix_ms_ += 1000;  // each screen has a clock and is drawn anew
+    advance_ms(100);
+    poll();
+    look(console);
+    std::string text;
+    for (int row = 0; row < Screen::kRows; ++row) text += console.screen.text(row) + "\n";
+    return text;
+  };
+  ASSERT_EQ(stations().size(), 1);
+  EXPECT_EQ(stations()[0].user(), "eva");
+  EXPECT_FALSE(stations()[0].connected());
+  log_in(udo, "udo", 7);
+  ASSERT_EQ(stations().size(), 1) << "one entry for a seat";
+  EXPECT_EQ(stations()[0].user(), "udo");
+  EXPECT_TRUE(stations()[0].connected());
+  v1::ClientMessage watch;
+  watch.mutable_request()->set_number(77);
+  watch.mutable_request()->mutable_watch()->set_station(7);
+  lab_->receive(console.visit, watch);
+  static_cast<void>(watched());
+  for (int second = 0; second < 5; ++second) {
+    const std::string text = watched();
+    EXPECT_NE(text.find("udo"), std::string::npos) << text;
+    EXPECT_EQ(text.find("eva"), std::string::npos) << text;
+  }
+  v1::ClientMessage log_out;
+  log_out.mutable_logout();
+  lab_->receive(udo.visit, log_out);
+  ASSERT_EQ(stations().size(), 1);
+  EXPECT_EQ(stations()[0].user(), "eva") << "kept, and the seat is free";
+  static_cast<void>(watched());
+  EXPECT_NE(watched().find("eva"), std::string::npos);
+}
+
 TEST_F(LabTest, SEAT_004_ASilentConnectionIsClosedAfterFiveSeconds) {
   Caller eva = call();
   log_in(eva, "eva", 7);

@@ -33,6 +33,10 @@ TEST(RosterCsv, INS_004_ReadsEveryWayToWriteALine) {
       {"quoted, with comma and quotation mark", "anna,\"ge,\"\"heim\"\"1\",de", {"anna", "ge,\"heim\"1", "de"}},
       {"quoted, spaces kept", "anna,\" geheim \"", {"anna", " geheim ", ""}},
       {"heading", "name,password,language\nanna", {"anna", "", ""}},
+      {"heading of two columns (SEC-002)", "name,password\nanna,annas_wort", {"anna", "annas_wort", ""}},
+      {"heading of one column", "name\nanna", {"anna", "", ""}},
+      {"heading in large letters, with blanks", "Name, Password , LANGUAGE\nanna", {"anna", "", ""}},
+      {"heading in quotation marks", "\"name\",\"password\"\nanna", {"anna", "", ""}},
       {"byte order mark and CR LF", "\xEF\xBB\xBFname,password,language\r\nanna,,de\r\n", {"anna", "", "de"}},
       {"umlaut", "jürgen", {"jürgen", "", ""}},
   };
@@ -54,6 +58,7 @@ TEST(RosterCsv, INS_004_NamesTheLineOfEveryError) {
       {"no name", "anna\n,geheim123,de", "line 2: ", "name"},
       {"blank in the name", "an na", "line 1: ", "name"},
       {"name of 33 bytes", "abcdefghijklmnopqrstuvwxyzabcdefg", "line 1: ", "name"},
+      {"a folder's own name", "anna\n..", "line 2: ", "name"},
       {"twice", "anna\notto\n\nanna", "line 4: ", "above"},
       {"short password", "anna,kurz", "line 1: ", "password"},
       {"unknown language", "anna,,fr", "line 1: ", "language"},

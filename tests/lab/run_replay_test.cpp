@@ -4,6 +4,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
+#include <memory>
+#include <utility>
+#include <vector>
 
 #include "language/tape.hpp"
 #include "replay_rig.hpp"
@@ -188,6 +192,34 @@ TEST_F(Replay, STO_007_AnythingThatDecidesTheCourseMakesAnotherTrajectory) {
   other_program.order.programs.put(
       language::read_tape("P0001N001G01X+20000Y+5001F2000M02", language::Reading::file).programs.at(0).program);
   EXPECT_TRUE(differs(other_program));
+}
+
+/// The lab looks along a contour on another thread: it is seen some looks later, in a replay at once.
+TEST(ReplayOfContours, STO_007_BehindAQuestionTheyArePlayedAgainHoweverLongTheLookAlongThemTook) {
+  const std::string head = "P0000T001R+1000L+10000P0006N001G01X+1000N002G17P0001N001G91";
+  const std::string tail = "N006G01Y+5000N007G01X+5000N008G40N009G17";
+  for (const std::string& blocks : {"N002G11F2000T01M03S500N003G42N004G01X+10000N005G21P0006N001" + tail,
+                                    "N002G11F2000T01M03S500N003G42N004G01X+10000N005G23P0006N001W01" + tail,
+                                    "N002G21P0006N001N003G11F2000T01M03S500N004G42N005G01X+10000" + tail}) {
+    ReplayRig rig(head + blocks);
+    const auto waiting = std::make_shared<std::vector<std::function<void()>>>();
+    const auto is_slow = std::make_shared<bool>(false);
+    rig.order.long_work = [waiting, is_slow](std::function<void()> job) {
+      if (!*is_slow) return job();
+      waiting->push_back(std::move(job));
+    };
+    rig.start();
+    *is_slow = true;
+    for (int look = 0; look < 400; ++look) {
+      rig.ticks(20);
+      for (const auto& job : std::exchange(*waiting, {})) job();
+    }
+    const RecordedRun record = rig.recorded();
+    EXPECT_GT(record.ticks, 300U) << blocks;
+    EXPECT_TRUE(std::ranges::any_of(record.events, [](const auto& event) { return event.kind == "resume"; })) << blocks;
+    const ReplayResult result = replay(record);
+    EXPECT_TRUE(result.same) << blocks << ": " << result.detail;
+  }
 }
 
 }  // namespace

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "language/tape.hpp"
 
 namespace cnclab::lab {
@@ -45,6 +47,31 @@ TEST(StoredControl, ERR_014_ADatumWithAWrongCheckCodePutsTheWholeRomSetInPlace) 
   wrong.value = 2500;
   EXPECT_TRUE(is_damaged({stored_datum(7, 1234), wrong}));
   EXPECT_EQ(machine_data_of({stored_datum(7, 1234), wrong}), machine::MachineData{});
+}
+
+std::vector<db::StoredDatum> whole_set() {
+  std::vector<db::StoredDatum> data;
+  for (const auto& form : machine::datum_forms())
+    data.push_back(stored_datum(form.number, machine::MachineData{}.get(form.number)));
+  return data;
+}
+
+TEST(StoredControl, AUTH_011_STO_003_DamageInTheLabMachinesDataLiftsNoLimitThatIsWhole) {
+  EXPECT_TRUE(lab_machine_data_of({}).damaged.empty()) << "never changed";
+  EXPECT_TRUE(lab_machine_data_of(whole_set()).damaged.empty());
+  auto data = whole_set();
+  std::ranges::find(data, 6, &db::StoredDatum::number)->value = 1000;
+  std::ranges::find(data, 6, &db::StoredDatum::number)->check_code = stored_datum(6, 1000).check_code;
+  std::ranges::find(data, 22, &db::StoredDatum::number)->check_code ^= 1U;
+  const auto found = lab_machine_data_of(data);
+  EXPECT_EQ(found.damaged, std::vector{22});
+  EXPECT_EQ(found.data.get(6), 1000) << "F MAX as the instructor set it";
+}
+
+TEST(StoredControl, AUTH_011_STO_003_ANumberThatIsGoneFromTheLabMachinesDataIsDamageToo) {
+  auto data = whole_set();
+  std::ranges::find(data, 3, &db::StoredDatum::number)->number = 23;
+  EXPECT_EQ(lab_machine_data_of(data).damaged, std::vector{3});
 }
 
 /// Eva, of whom nothing is stored.
@@ -113,7 +140,7 @@ TEST_F(StoredStudent, MOD_077_STO_005_ErasingTheWholeMemoryResetsTheMachineDataA
   EXPECT_EQ(machine_data_of(stored.machine_data), machine::MachineData{});
   const auto versions = database_.versions(eva_, 1);
   ASSERT_EQ(versions.size(), 2U);
-  EXPECT_EQ(database_.program_at(eva_, 1, versions.front().version).value(), std::vector<std::string>{"N001G90"});
+  EXPECT_EQ(version_texts(database_, eva_, 1, versions.front().version), (db::BlockTexts{{1, "N001G90"}}));
 }
 
 }  // namespace

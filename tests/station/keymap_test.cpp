@@ -103,6 +103,20 @@ TEST(HelpPage, NamesEveryBindingAndEveryInput) {
 }
 
 // CNCLAB_WRITE_KEYS=1 writes the page anew after the table has changed.
+TEST(HelpPage, in_English_a_key_has_the_name_on_the_keyboard_and_the_one_in_the_controls_texts_beside_it) {
+  const auto lines = help_lines(Language::english);
+  for (const Binding& binding : keymap()) {
+    const Press* const press = press_of(binding);
+    if (press == nullptr || press->keys.size() != 1) continue;
+    const bool is_found = std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+      return line.find(binding.label.german) != std::string::npos &&
+             line.find(binding.label.english) != std::string::npos;
+    });
+    EXPECT_TRUE(is_found) << name_of_binding(binding);
+  }
+  for (const std::string& line : lines) EXPECT_LE(from_utf8(line).size(), 78U) << line;
+}
+
 TEST(HelpPage, TheDocumentationShowsTheSameTable) {
   const std::filesystem::path file = std::filesystem::path(CNCLAB_TEST_DATA) / "../../docs/keys.md";
   if (std::getenv("CNCLAB_WRITE_KEYS") != nullptr) std::ofstream(file) << key_table();

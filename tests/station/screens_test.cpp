@@ -108,6 +108,13 @@ TEST(Overlays, ThePotentiometerIsReadFromTheSideColumn) {
   }
 }
 
+TEST(LoginForm, NoLabelReachesItsMarker) {
+  LoginQuestion question;
+  question.refusal.emplace();
+  question.refusal->set_result(v1::LOGIN_RESULT_ELSEWHERE);
+  EXPECT_TRUE(contains(LoginForm(question, false, false, Language::german).screen(), "1 übernehmen 2 zusehen  >"));
+}
+
 TEST(Overlays, TheHelpPageScrollsToItsEnd) {
   const std::size_t last = last_help_start(Language::german);
   ASSERT_GT(last, 0U) << "longer than a screen";

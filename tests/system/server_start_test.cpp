@@ -150,6 +150,16 @@ TEST(ServerStart, STO_008_a_damaged_database_is_refused_and_left_untouched) {
   EXPECT_EQ(read_file(database), before);
 }
 
+TEST(ServerStart, STO_008_a_database_cut_off_to_nothing_is_no_new_lab) {
+  Classroom room;
+  const fs::path database = database_after_a_lesson(room);
+  fs::resize_file(database, 0);
+  const StartFailure failure = start_again(room);
+  EXPECT_EQ(failure.exit_code, 1);
+  EXPECT_THAT(failure.log, HasSubstr("is empty"));
+  EXPECT_EQ(fs::file_size(database), 0U);
+}
+
 TEST(ServerStart, STO_008_a_file_that_is_no_database_is_refused_and_left_untouched) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path() / "data");

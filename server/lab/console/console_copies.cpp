@@ -16,6 +16,7 @@ std::string collected(const db::Person& person, const std::vector<db::StoredProg
   std::string text;
   for (const auto& program : programs) {
     if (request.only_that() && program.number != static_cast<int>(request.program())) continue;
+    check_sound(program, person.name);
     text += fmt::format("P{:04}\n", program.number);
     for (const auto& block : program.blocks) text += block.text + "\n";
     text += "%\n";

@@ -88,12 +88,15 @@ void Console::status(const Reply& reply) const {
   status.set_halted_by(authority.halted_by(reply.tongue));
   status.set_shown(static_cast<std::uint32_t>(lab_.shown_station_));
   fill_machine(*status.mutable_machine(), lab_.machine_.snapshot(), authority);
+  for (const int number : lab_.machine_.damaged_data())
+    status.mutable_machine()->add_damaged_data(static_cast<std::uint32_t>(number));
   const auto ticks = lab_.ticks_.statistics();
   status.mutable_ticks()->set_late(static_cast<double>(ticks.late));
   status.mutable_ticks()->set_longest_ms(static_cast<double>(ticks.longest_delay_ns) / 1e6);
   status.mutable_ticks()->set_stalls(static_cast<double>(lab_.machine_.stalls()));
   std::vector<Lab::DeskPtr> desks;
-  for (const auto& desk : lab_.seats_.all()) desks.push_back(desk);
+  for (const auto& desk : lab_.seats_.all())
+    if (lab_.seats_.shown_at(desk->station) == desk) desks.push_back(desk);  // one entry for each station
   std::ranges::sort(desks, {}, [](const auto& desk) { return desk->station; });
   for (const auto& desk : desks) fill_station(*status.add_stations(), desk);
   send(reply, {item});
@@ -156,6 +159,13 @@ void Console::ram_fault(const Reply& reply, const v1::SetRamFault& request) cons
 
 void Console::machine_data(const Reply& reply, const v1::ChangeMachineData& request) const {
   const machine::MachineData newest = lab_.machine_.wished_data();
+  // Stored is the whole set: a default must not take a damaged limit's place unseen (AUTH-011).
+  const auto is_set = [&](int damaged) {
+    return std::ranges::any_of(request.data(),
+                               [&](const auto& datum) { return static_cast<int>(datum.number()) == damaged; });
+  };
+  if (!std::ranges::all_of(lab_.machine_.damaged_data(), is_set))
+    return send_error(reply, damage_sentence(lab_.machine_.damaged_data(), reply.tongue));
   if (request.data().empty()) {
     Items items;
     for (const auto& form : machine::datum_forms()) items.push_back(datum_item(form.number, newest.get(form.number)));
@@ -185,6 +195,7 @@ void Console::machine_data(const Reply& reply, const v1::ChangeMachineData& requ
       },
       [reply, wished](const Console& console, bool) {
         console.lab_.machine_.wish_data(wished);
+        console.lab_.machine_.data_are_whole();
         console.lab_.settle_machine_data();
         console.send_done(reply);
       });

@@ -39,6 +39,21 @@ std::vector<v1::InstructorItem> text_items(std::uint32_t number, const std::vect
   return items;
 }
 
+/// The blocks of a version, as it was stored; of the newest as they stand there, so that damage is told.
+std::vector<std::string> program_lines(db::Database& database, const db::Person& person, int program,
+                                       std::optional<int> version) {
+  const auto texts = version_texts(database, person.id, program, version.value_or(0));
+  if (!texts)
+    throw Refusal{fmt::format("{} hat kein Programm P{:04} in dieser Version.", person.name, program),
+                  fmt::format("{} has no program P{:04} of that version.", person.name, program)};
+  if (!version)
+    for (const db::StoredProgram& stored : database.programs(person.id))
+      if (stored.number == program) check_sound(stored, person.name);
+  std::vector<std::string> lines;
+  for (const auto& [number, text] : *texts) lines.push_back(text);
+  return lines;
+}
+
 std::string change_text(const db::ProgramVersion& version) {
   return version.block == 0 ? version.kind : fmt::format("{} N{:03}", version.kind, version.block);
 }
@@ -131,14 +146,7 @@ void Console::program_show(const Reply& reply, const v1::ProgramName& request) c
         const auto person = person_named(database, request.student());
         if (request.program() == kMachineDataProgram)
           return machine_data_lines(database, person.id, version_in(request));
-        auto blocks =
-            database.program_at(person.id, static_cast<int>(request.program()), static_cast<int>(request.version()));
-        if (!blocks)
-          throw Refusal{
-              fmt::format("{} hat kein Programm {} in dieser Version.", request.student(),
-                          program_name(request.program())),
-              fmt::format("{} has no program {} of that version.", request.student(), program_name(request.program()))};
-        return *blocks;
+        return program_lines(database, person, static_cast<int>(request.program()), version_in(request));
       },
       [reply, number = request.program()](const Console& console, const std::vector<std::string>& blocks) {
         console.send(reply, text_items(number, blocks));

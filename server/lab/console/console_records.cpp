@@ -37,9 +37,10 @@ RecordedRun recorded(db::Database& database, std::int64_t number) {
   const auto record = database.run(number);
   if (!record) throw Refusal{fmt::format("Lauf {} gibt es nicht.", number), fmt::format("There is no run {}.", number)};
   if (record->digest.empty())
-    throw Refusal{
-        fmt::format("Lauf {} ist nicht zum Wiederholen aufgezeichnet (noch nicht zu Ende, oder zu lang).", number),
-        fmt::format("Run {} is not recorded for replay (not over yet, or too long).", number)};
+    throw Refusal{fmt::format("Lauf {} ist nicht zum Wiederholen aufgezeichnet ({}).", number,
+                              record->ended.empty() ? "noch nicht zu Ende" : "unvollständig oder zu lang"),
+                  fmt::format("Run {} is not recorded for replay ({}).", number,
+                              record->ended.empty() ? "not over yet" : "not whole, or too long")};
   const auto setup = nlohmann::json::parse(record->setup, nullptr, false);
   const auto unreadable = [&](const std::string& what) {
     return Refusal{fmt::format("Lauf {}: nicht lesbar: {}", number, what),

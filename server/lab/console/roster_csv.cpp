@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <expected>
 #include <set>
+#include <span>
 
 #include "lab/passwords.hpp"
 
@@ -65,6 +67,17 @@ std::expected<std::vector<std::string>, bool> fields_of(std::string_view line) {
   return fields;
 }
 
+/// The columns' names, however they are written; columns at the end may be left out here too.
+bool is_heading(std::string_view line) {
+  constexpr std::array<std::string_view, kMostFields> kColumns{"name", "password", "language"};
+  const auto fields = fields_of(line);
+  if (!fields || fields->size() > kColumns.size()) return false;
+  const auto is_same = [](const std::string& field, std::string_view column) {
+    return std::ranges::equal(field, column, [](unsigned char a, unsigned char b) { return std::tolower(a) == b; });
+  };
+  return std::ranges::equal(*fields, std::span(kColumns).first(fields->size()), is_same);
+}
+
 struct Judge {
   language::Tongue tongue;
   std::set<std::string> names;
@@ -102,7 +115,9 @@ bool is_name(std::string_view name) {
   const auto allowed = [](unsigned char c) {
     return std::isalnum(c) != 0 || c == '.' || c == '-' || c == '_' || c >= 0x80;
   };
-  return !name.empty() && name.size() <= kLongestName && std::ranges::all_of(name, allowed);
+  // Names become folders where programs are collected.
+  return !name.empty() && name != "." && name != ".." && name.size() <= kLongestName &&
+         std::ranges::all_of(name, allowed);
 }
 
 std::string line_prefix(int line, language::Tongue tongue) {
@@ -117,7 +132,7 @@ Roster read_roster(std::string_view csv, language::Tongue tongue) {
     const auto end = std::min(csv.find('\n'), csv.size());
     const std::string_view line = trimmed(csv.substr(0, end));
     csv.remove_prefix(std::min(end + 1, csv.size()));
-    if (line.empty() || (number == 1 && line == kHeading)) continue;
+    if (line.empty() || (number == 1 && is_heading(line))) continue;
     const auto fields = fields_of(line);
     if (!fields || fields->size() > kMostFields) {
       roster.errors[number] =

@@ -4,7 +4,9 @@
 //   line   = name [ "," [ password ] [ "," [ language ] ] ]
 //   field  = plain text | '"' text with every quotation mark doubled '"'       (RFC 4180)
 //
-// The heading is the line name,password,language. Spaces around a plain field are not part of it.
+// The heading is the line name,password,language in large or small letters; like any line it may leave out columns at
+// its end. Nobody can be called so there: `name` with the password `password` would be an account that anyone guesses.
+// Spaces around a plain field are not part of it.
 #pragma once
 
 #include <map>

@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <ranges>
+
+#include "lab/stored_control.hpp"
 #include "language/tape.hpp"
 #include "panel/modal_json.hpp"
 
@@ -129,9 +132,10 @@ program::ProgramSet programs_of(const Json& json, db::Database& database, db::Pe
   program::ProgramSet programs;
   for (const auto& [key, version] : json.at("versions").items()) {
     const std::uint16_t number = program_number(key, language::kLastProgram);
-    const auto texts = database.program_at(person, number, version);
+    const auto texts = version_texts(database, person, number, version.get<int>());
     if (!texts) throw std::runtime_error(fmt::format("P{:04} version {}", number, version.get<int>()));
-    language::Program program = program_of(number, *texts);
+    const auto blocks = std::views::values(*texts);
+    language::Program program = program_of(number, {blocks.begin(), blocks.end()});
     mark_damage(json, program);
     programs.put(std::move(program));
   }

@@ -2,6 +2,7 @@
 #include "lab/runs/run_recorder.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <bit>
@@ -115,6 +116,17 @@ bool begins_by_hand(const machine::TracePoint& point) { return point.levels.by_h
 
 }  // namespace
 
+namespace {
+
+/// What the store could not take of a record is gone, and the record with it (STO-009): the end that comes later, with
+/// room again, must not make it look whole.
+void tell_loss(const std::expected<void, db::StoreError>& result) {
+  if (!result)
+    spdlog::error("a run is not recorded, or not wholly: {} ({})", result.error().text, result.error().detail);
+}
+
+}  // namespace
+
 struct RunRecorder::Run {
   std::optional<std::int64_t> id;  ///< known once the store has answered
   std::uint64_t ticks = 0;
@@ -160,7 +172,7 @@ void RunRecorder::begin(const RunStart& start) {
         run->id = database.begin_run(record);
         database.forget_old_traces(kTracesKept);
       },
-      [](const std::expected<void, db::StoreError>&) {});
+      tell_loss);
 }
 
 bool RunRecorder::has_hand_start() const { return std::ranges::any_of(arrived_, begins_by_hand); }
@@ -217,7 +229,7 @@ void RunRecorder::flush() {
        data = pack_trace(points_)](db::Database& database) {
         if (run->id) database.add_trace(*run->id, first, data);
       },
-      [](const std::expected<void, db::StoreError>&) {});
+      tell_loss);
   points_.clear();
 }
 
@@ -227,7 +239,7 @@ void RunRecorder::flush_events() {
       [run = run_, events = std::exchange(run_->events, {})](db::Database& database) {
         if (run->id) database.add_run_events(*run->id, events);
       },
-      [](const std::expected<void, db::StoreError>&) {});
+      tell_loss);
 }
 
 void RunRecorder::end(const std::string& ended) {
@@ -248,7 +260,7 @@ void RunRecorder::end(const std::string& ended) {
       [run = run_, record](db::Database& database) {
         if (run->id) database.end_run(*run->id, record);
       },
-      [](const std::expected<void, db::StoreError>&) {});
+      tell_loss);
   run_.reset();
   order_.reset();
 }

@@ -47,9 +47,12 @@ void Run::guard_tools() {
   if (auto error = tools_->guard(items_)) failure_ = std::move(error);
 }
 
+/// One wait ends in each feeding: each has its own tick in the record, and a look along a contour that takes no time in
+/// a replay may have taken some here.
 bool Run::may_go_on() {
   const bool must_wait = (scout_ && scout_->is_looking()) || source_->interpreter().awaited_input();
   if (!must_wait) return true;
+  if (has_gone_on_) return false;
   if (questions_ == Questions::held || (scout_ && !scout_->has_looked()) || !answer_input()) return false;
   has_gone_on_ = true;
   return true;
