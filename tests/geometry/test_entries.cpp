@@ -270,9 +270,9 @@ double nearest_to_open(PlaneVector from, PlaneVector to, const std::vector<Plane
   bool counts = false;
   double least = 1e9;
   for (std::size_t side = 1; side < outline.size(); ++side) {
-    const double length = size(outline[side] - outline[side - 1]);
-    for (double way = 0; way < length; way += kStep_mm) {
-      const PlaneVector spot = between(outline[side - 1], outline[side], way / length);
+    const int steps = static_cast<int>(std::ceil(size(outline[side] - outline[side - 1]) / kStep_mm));
+    for (int step = 0; step < steps; ++step) {
+      const PlaneVector spot = between(outline[side - 1], outline[side], static_cast<double>(step) / steps);
       counts = counts || size(spot - outline.front()) > radius;
       if (counts) least = std::min(least, distance_to_side(spot, from, to));
     }

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "harness/classroom.hpp"
 
 namespace cnclab::harness {
@@ -40,7 +42,7 @@ TEST_F(Damage, AUTH_011_STO_003_a_damaged_datum_of_the_machine_lifts_no_limit_no
   damage("UPDATE machine_datum SET check_code = check_code + 1 WHERE person_id = 0 AND number = 22");
   StationProcess anna = room_.seat(1, "anna");
   EXPECT_THAT(room_.server().log(), HasSubstr("CHECKSUM FEHLER"));
-  EXPECT_TRUE(eventually(5s, [&] { return must({"journal"}).output.contains("CHECKSUM FEHLER"); }));
+  EXPECT_TRUE(eventually(5s, [&] { return must({"journal", ""}).output.contains("CHECKSUM FEHLER"); }));
   EXPECT_EQ(room_.instructor().status()["machine"]["damaged_data"], nlohmann::json::array({22}));
   expect_refused({"select", "1"}, "CHECKSUM FEHLER: Maschinendaten der Maschine beschädigt, Nummer 22.");
   expect_refused({"select", "1", "--force"}, "machine-data 22=");
@@ -73,6 +75,7 @@ TEST_F(Damage, STO_003_damaged_blocks_and_data_do_not_leave_the_lab_by_the_instr
   damage("UPDATE block SET text = 'N002G01X+9000F1000' WHERE program = 2 AND number = 2");
   expect_refused({"program", "show", "anna", "P0002"}, "CHECKSUM FEHLER: anna P0002 N002 ist beschädigt.");
   const auto folder = room_.folder().path() / "collected";
+  std::filesystem::create_directory(folder);
   expect_refused({"program", "collect", folder.string()}, "CHECKSUM FEHLER: anna P0002 N002");
   EXPECT_THAT(must({"program", "show", "anna", "P0001"}).output, HasSubstr("N001G91")) << "the others do";
   EXPECT_THAT(must({"program", "show", "anna", "P0002", "--version", "1"}).output, HasSubstr("X+1000"));
