@@ -194,8 +194,7 @@ class Drawing {
     screen_.write(kTickRow, 11,
                   fmt::format("{} {:.0f}, {} {:.2f} ms", say({"verspätet", "late"}), status.ticks().late(),
                               say({"längster", "longest"}), status.ticks().longest_ms()));
-    if (status.machine().damaged_data_size() > 0)
-      screen_.write(kTickRow, 62, "CHECKSUM FEHLER", Attribute::inverse);
+    if (status.machine().damaged_data_size() > 0) screen_.write(kTickRow, 62, "CHECKSUM FEHLER", Attribute::inverse);
   }
 
   void draw_page() {

@@ -221,7 +221,7 @@ struct Walk {
     const LoginId holder = world.authority.holder();
     const Actions silence = poll(kAfterLease_ns);
     if (world.authority.phase() == Phase::granted) return "AUTH-007 a lease outlives silence";
-    const auto* back = find<GiveKeysBack>(silence);
+    const auto* back = first_of<GiveKeysBack>(silence);
     const bool is_owed = holder != kNoLogin && world.is_console_behind;
     if (is_owed != (back != nullptr) || (is_owed && back->login != holder))
       return "AUTH-016 the keys are where a silent console, or nobody, has them";

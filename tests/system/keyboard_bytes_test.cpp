@@ -13,8 +13,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-constexpr auto kLimit = 5s;
-
 class KeyboardBytes : public testing::Test {
  protected:
   KeyboardBytes() { room_.add_student("anna"); }

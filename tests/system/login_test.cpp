@@ -175,10 +175,10 @@ TEST(Seats, SEAT_003_a_station_whose_line_was_broken_ends_with_6_when_its_studen
   TcpProxy line(room.server().port());
   StationProcess first = room.seat_behind(line, 1, "anna");
   line.cut();
-  ASSERT_TRUE(eventually(kEndLimit, [&] { return room.instructor().station(1)["connected"] == false; }));
+  ASSERT_TRUE(eventually(kLimit, [&] { return room.instructor().station(1)["connected"] == false; }));
   StationProcess second = room.seat(2, "anna");
   line.mend();
-  EXPECT_EQ(first.wait(kEndLimit), 6);
+  EXPECT_EQ(first.wait(kLimit), 6);
   second.key("MENU");
 }
 
@@ -192,7 +192,7 @@ TEST(Seats, SEC_004_looking_on_ends_with_the_login_that_is_looked_at) {
   StationProcess looker(options);
   looker.wait_for("anna");
   first.quit();
-  EXPECT_EQ(looker.wait(kEndLimit), 0);
+  EXPECT_EQ(looker.wait(kLimit), 0);
 }
 
 TEST(Seats, SEAT_002_logging_out_and_in_at_another_station_finds_the_own_control_as_it_was) {

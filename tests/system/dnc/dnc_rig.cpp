@@ -96,7 +96,6 @@ int open_pseudo_terminal(std::string& path) {
 ChildProcess start_socat(const std::string& one, const std::string& other, const std::filesystem::path& link) {
   ChildProcess socat(
       {.program = "/usr/bin/env", .arguments = {"socat", one, other}, .environment = {}, .stderr_file = {}});
-  constexpr auto kLimit = 5s;
   if (!eventually(kLimit, [&] { return std::filesystem::exists(link); }))
     throw Failure("socat made no " + link.string());
   return socat;

@@ -82,7 +82,6 @@ Terminal Classroom::terminal(int station, const std::string& student, int rows, 
 void Classroom::give_machine(int station, StationProcess& seat) {
   instructor_->must({"select", std::to_string(station)});
   seat.key("START");
-  constexpr auto kLimit = 5s;
   if (!eventually(kLimit, [&] { return instructor_->status().at("selected") == station; })) {
     throw Failure("station " + std::to_string(station) + " did not get the machine:\n" + seat.text());
   }

@@ -65,7 +65,6 @@ std::string ServerProcess::log() const { return read_file(log_file_); }
 void ServerProcess::terminate() { process_.send_signal(SIGTERM); }
 
 void ServerProcess::kill_hard() {
-  constexpr auto kLimit = 5s;
   process_.send_signal(SIGKILL);
   static_cast<void>(process_.wait(kLimit));
 }
