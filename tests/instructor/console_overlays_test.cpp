@@ -220,8 +220,10 @@ TEST(ConsoleWatching, the_titles_line_is_the_consoles_own_and_a_halt_says_where_
   screen.write(0, 66, "Platz 07");
   model = with_screen(std::move(model), screen);
   EXPECT_THAT(draw_console(model).screen.text(0), testing::Not(HasSubstr("07")));
-  EXPECT_THAT(with_answer(model, halt, {}).message.text, HasSubstr("In der Tafel"));
-  EXPECT_THAT(with_answer(connected(), halt, {}).message.text, testing::Not(HasSubstr("In der Tafel")));
+  v1::InstructorAnswer done;
+  done.add_items()->mutable_done();
+  EXPECT_THAT(with_answer(model, halt, done).message.text, HasSubstr("In der Tafel"));
+  EXPECT_THAT(with_answer(connected(), halt, done).message.text, testing::Not(HasSubstr("In der Tafel")));
 }
 
 TEST(ConsoleWatching, SEAT_005_what_the_lost_line_refused_is_told_until_there_is_one_again) {

@@ -139,7 +139,7 @@ TEST_F(KeyboardBytes, a_signal_ends_the_console_as_q_does) {
     terminal.wait_for("q Ende");
     terminal.send_signal(signal);
     EXPECT_EQ(terminal.wait(kLimit), 0) << signal;
-    EXPECT_THAT(terminal.text(), Not(HasSubstr("q Ende"))) << "the alternate screen is left";
+    terminal.wait_gone("q Ende", kLimit);  // the alternate screen is left
   }
 }
 
