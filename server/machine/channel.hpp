@@ -169,8 +169,8 @@ struct TickLevels {
   bool go = false;                       ///< a START took effect: begin, going on, release of a halt
   std::array<std::int8_t, 3> by_hand{};  ///< directions of a Jog or RunReference that took effect
   bool is_reference = false;             ///< it was a RunReference
-  bool is_resumed = false;               ///< path has come that had waited (`note_resumption`)
-  bool resumed_with = false;             ///< Input 1 as it was answered then
+  std::uint8_t resumptions = 0;  ///< how often since the tick before path has come that had waited (`note_resumption`)
+  bool resumed_with = false;     ///< Input 1 as it was answered at the last of them
   friend bool operator==(const TickLevels&, const TickLevels&) = default;
 };
 

@@ -1,6 +1,7 @@
 // The order of things in a tick, manual motion, and what goes out: to the machine, to the lab, into the trace.
 #include "machine/channel_tick.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -45,7 +46,10 @@ void ChannelTick::move(double tick_s) noexcept {
   levels_.single_block = single_block;
   const std::uint64_t resumptions = mail_.resumptions.load(std::memory_order_acquire);
   // At rest nothing is traced: then it is the next START that finds it.
-  if (started_) levels_.is_resumed = std::exchange(resumptions_seen_, resumptions) != resumptions;
+  if (started_) {
+    const std::uint64_t before = std::exchange(resumptions_seen_, resumptions);
+    levels_.resumptions = static_cast<std::uint8_t>(std::min<std::uint64_t>(resumptions / 2 - before / 2, 255));
+  }
   levels_.resumed_with = resumptions % 2 != 0;
   switch (activity_) {
     case Activity::none:

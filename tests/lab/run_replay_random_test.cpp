@@ -11,6 +11,9 @@
 namespace cnclab::lab {
 namespace {
 
+/// The same cases in every run; RC_PARAMS in the environment asks for others.
+const bool kSeeded = setenv("RC_PARAMS", "seed=3300 max_success=200", 0) == 0;
+
 int below(int end) { return *rc::gen::inRange(0, end); }
 
 /// Some millimetres or none at all, with its sign.
@@ -70,6 +73,7 @@ void act(ReplayRig& rig) {
 }
 
 RC_GTEST_PROP(RandomRuns, STO_007_ArePlayedAgainToTheSameTrajectory, ()) {
+  RC_PRE(kSeeded);
   const std::string program = random_program();
   RC_LOG() << program << '\n';
   ReplayRig rig(program);

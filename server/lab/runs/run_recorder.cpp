@@ -210,7 +210,7 @@ void RunRecorder::take(const machine::TracePoint& point) {
   if (is_first || now.inputs_found != was.inputs) note("inputs", now.inputs_found);
   if (now.stops != 0) note("stop", now.stops);
   if (now.go) note("go", 1);
-  if (now.is_resumed) note("resume", now.resumed_with ? 1 : 0);
+  for (int i = 0; i < now.resumptions; ++i) note("resume", now.resumed_with ? 1 : 0);
   if (begins_by_hand(point)) note(now.is_reference ? "reference" : "jog", hand_value(now.by_hand));
   if (now.inputs != now.inputs_found) note("inputs", now.inputs);
   run_->levels = now;

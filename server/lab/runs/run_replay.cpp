@@ -60,21 +60,23 @@ class Player {
 
   /// The events of the next tick, in their order. What the first START finds wrong, in English.
   std::optional<std::string> act() {
-    bool begins_now = false;  // what went on in the first tick of all went on as the run was begun
+    bool has_gone_on = false;  // what the beginning of the run has gone on with by itself is in the record too
     for (; next_ < recorded_.events.size(); ++next_) {
       const db::RunEvent& event = recorded_.events[next_];
       if (static_cast<std::uint64_t>(event.tick) > points_.size()) return std::nullopt;
       if (event.kind == "override") channel_->set_override(event.value);
       if (event.kind == "single_block") channel_->set_single_block(event.value != 0);
       if (event.kind == "inputs") set_inputs(static_cast<std::uint32_t>(event.value));
-      if (event.kind == "resume" && !begins_now) run_.feed_replay(panel::Run::Questions::answered, event.value != 0);
+      if (event.kind == "resume" && !std::exchange(has_gone_on, false))
+        run_.feed_replay(panel::Run::Questions::answered, event.value != 0);
       if (event.kind == "stop") stop(static_cast<std::uint32_t>(event.value));
       const bool is_start = event.kind == "go" || event.kind == "jog" || event.kind == "reference";
       if (!is_start) continue;
       // A START at rest finds the inputs and switches as they have been: they come back from the machine a tick later.
       if (!channel_->snapshot().started) tick();
-      begins_now = event.kind == "go" && !run_.is_present();
+      const bool begins = event.kind == "go" && !run_.is_present();
       if (auto fault = start(event)) return fault;
+      has_gone_on = begins && run_.has_gone_on();
     }
     return std::nullopt;
   }

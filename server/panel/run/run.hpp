@@ -99,6 +99,9 @@ class Run {
   /// input_1   as it was found when it counted at once; nothing: as it is now
   void feed_replay(Questions questions, std::optional<bool> input_1 = std::nullopt);
 
+  /// The newest feeding, or the beginning, has ended a wait.
+  [[nodiscard]] bool has_gone_on() const { return has_gone_on_; }
+
   [[nodiscard]] State state() const;
   [[nodiscard]] bool is_present() const { return source_.has_value(); }
   /// An axis ran onto its switch and is being driven free: nothing else moves until it stands.
