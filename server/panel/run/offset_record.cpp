@@ -19,14 +19,14 @@ using geometry::Point;
 using Offset = std::array<double, 3>;
 
 /// A place on a way: its share of the way, 0..1, and how far from it the axes are.
-struct Place {
+struct PlaceOnWay {
   double share = 0;
   double distance_mm = 0;
 };
 
 double distance(const Point& a, const Point& b) { return geometry::length_of(Line{.from = a, .to = b}); }
 
-Place nearest_on(const Line& line, const Point& point) {
+PlaceOnWay nearest_on(const Line& line, const Point& point) {
   const double length = geometry::length_of(line);
   if (length == 0) return {.share = 1, .distance_mm = distance(point, line.to)};
   const Point direction = geometry::direction_at(line, length);
@@ -37,7 +37,7 @@ Place nearest_on(const Line& line, const Point& point) {
 }
 
 /// By its angle about the centre; before the beginning and behind the end the nearer of them counts.
-Place nearest_on(const Arc& arc, const Point& point) {
+PlaceOnWay nearest_on(const Arc& arc, const Point& point) {
   const geometry::PlaneAxes& axes = geometry::axes_of(arc.plane);
   const geometry::ArcShape shape = geometry::shape_of(arc);
   const double angle =
@@ -103,7 +103,7 @@ Offset OffsetRecord::within(std::uint64_t sequence, const std::array<double, 4>&
   for (const Way& way : std::ranges::equal_range(ways_, sequence, {}, &Way::sequence)) {
     std::visit(
         [&](const auto& element) {
-          const Place place = nearest_on(element, point);
+          const PlaceOnWay place = nearest_on(element, point);
           if (place.distance_mm >= least_mm) return;
           least_mm = place.distance_mm;
           offset = offset_at(element, way.from_mm, way.to_mm, place.share);

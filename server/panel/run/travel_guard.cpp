@@ -16,7 +16,7 @@ namespace {
 
 using geometry::Point;
 
-constexpr std::array<double Point::*, 3> kAxes{&Point::x, &Point::y, &Point::z};
+constexpr std::array<double Point::*, 3> kAxisOf{&Point::x, &Point::y, &Point::z};
 constexpr int kFirstTravel = 3;        // MD 03..05
 constexpr double kRounding_mm = 1e-6;  // a way that ends exactly on the limit is allowed
 
@@ -46,9 +46,9 @@ std::string millimetres(double value) {
 
 TravelGuard::TravelGuard(const std::array<double, 3>& machine_mm, const machine::MachineData& data,
                          const Point& start) {
-  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+  for (std::size_t axis = 0; axis < kAxisOf.size(); ++axis) {
     half_travel_[axis] = static_cast<double>(data.get(kFirstTravel + static_cast<int>(axis))) / 2000.0;
-    place(axis, start.*kAxes[axis], machine_mm[axis]);
+    place(axis, start.*kAxisOf[axis], machine_mm[axis]);
   }
 }
 
@@ -60,7 +60,7 @@ void TravelGuard::place(std::size_t axis, double path_mm, double machine_mm) {
 
 /// The axes come to stand 1 mm before their switches (MOD-012); G-693: 0 drives in positive direction.
 void TravelGuard::note_reference(const geometry::Reference& reference) {
-  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
+  for (std::size_t axis = 0; axis < kAxisOf.size(); ++axis) {
     if (!reference.axes[axis]) continue;
     const double place = half_travel_[axis] - machine::SwitchDrive::kBackOff_mm;
     referenced_at_[axis] = reference.value[axis] < 0 ? -place : place;
@@ -69,8 +69,8 @@ void TravelGuard::note_reference(const geometry::Reference& reference) {
 
 /// The path goes on from where the reference run has left the axes.
 void TravelGuard::settle_references(const Point& from) {
-  for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
-    if (referenced_at_[axis]) place(axis, from.*kAxes[axis], *referenced_at_[axis]);
+  for (std::size_t axis = 0; axis < kAxisOf.size(); ++axis) {
+    if (referenced_at_[axis]) place(axis, from.*kAxisOf[axis], *referenced_at_[axis]);
     referenced_at_[axis].reset();
   }
 }
@@ -83,8 +83,8 @@ std::optional<language::Error> TravelGuard::fault_of(const geometry::PathItem& i
   if (const auto* line = std::get_if<geometry::Line>(&item.what)) points = {line->from, line->to};
   if (const auto* arc = std::get_if<geometry::Arc>(&item.what)) points = extremes_of(*arc);
   for (const Point& point : points) {
-    for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
-      const double value = point.*kAxes[axis];
+    for (std::size_t axis = 0; axis < kAxisOf.size(); ++axis) {
+      const double value = point.*kAxisOf[axis];
       if (value >= low_[axis] - kRounding_mm && value <= high_[axis] + kRounding_mm) continue;
       return language::Error{.code = language::ErrorCode::travel_exceeded,
                              .program = item.source.program,
