@@ -79,7 +79,7 @@ asio::awaitable<std::expected<Credentials, Ending>> fill_in(Desk& desk, LoginQue
   if (question.refusal && is_final(desk.options, *question.refusal)) {
     co_return std::unexpected(ending_of(*question.refusal, language));
   }
-  LoginForm form(std::move(question), desk.options.seat() != 0, !desk.options.user.empty(), language);
+  LoginForm form(question, desk.options.seat() != 0, !desk.options.user.empty(), language);
   for (;;) {
     if (desk.events.take_resized()) desk.terminal.redraw();
     while (const auto event = desk.events.take()) {
