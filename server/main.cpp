@@ -215,8 +215,9 @@ int main(int argc, char** argv) {
   app.set_version_flag("--version", "cnclab-server " CNCLAB_VERSION);
   app.add_option("--config", line.config_file, "configuration file (lab.toml)");
   app.add_option("--listen", line.listen, "address and port, default 127.0.0.1:3300; port 0 takes any")
-      ->check([](const std::string& address) {
-        return net::endpoint_of(address) ? "" : "an address and a port is wanted, such as 127.0.0.1:3300";
+      ->check([](const std::string& address) -> std::string {
+        if (cnclab::net::endpoint_of(address)) return {};
+        return "an address and a port is wanted, such as 127.0.0.1:3300";
       });
   app.add_option("--data", line.data, "data folder, default var");
   app.add_option("--model", line.model, "3300 or 3250")->check(CLI::IsMember({"3300", "3250"}));
