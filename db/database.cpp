@@ -18,7 +18,7 @@
 namespace cnclab::db {
 namespace {
 
-constexpr int kBusyTimeout_ms = 5000;  // longer than any hand-made query of a teacher, shorter than patience
+constexpr int kBusyTimeout_ms = static_cast<int>(kPatience.count());
 
 SQLite::Database open_to_write(const std::filesystem::path& file) {
   SQLite::Database database(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, kBusyTimeout_ms);
@@ -100,6 +100,10 @@ std::expected<Database, OpenError> Database::open_to_read(const std::filesystem:
   } catch (const SQLite::Exception& exception) {
     return std::unexpected(open_error(file, exception));
   }
+}
+
+void Database::set_patience(std::chrono::milliseconds patience) {
+  statements_->sqlite().setBusyTimeout(static_cast<int>(patience.count()));
 }
 
 bool Database::in_transaction() const { return statements_->in_transaction(); }

@@ -1,6 +1,7 @@
 // One open database: opened, checked, migrated; the repositories work on it. Not for two threads at once.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <expected>
 #include <filesystem>
@@ -14,6 +15,10 @@
 #include "db/types.hpp"
 
 namespace cnclab::db {
+
+/// How long a lock of somebody else's is waited for: longer than any hand-made query of a teacher, shorter than a
+/// student's patience.
+inline constexpr std::chrono::milliseconds kPatience{5000};
 
 /// Why a database cannot be used; `text` says what happened, where, and what to do.
 struct OpenError {
@@ -34,6 +39,8 @@ class Database {
   [[nodiscard]] static std::expected<Database, OpenError> open(const std::filesystem::path& file);
   /// Opens for reading only, also while a server writes; checked as by `open`, changed by nothing.
   [[nodiscard]] static std::expected<Database, OpenError> open_to_read(const std::filesystem::path& file);
+  /// How long the next transactions wait for a lock; kPatience when it was opened.
+  void set_patience(std::chrono::milliseconds patience);
   Database(Database&&) noexcept;
   Database& operator=(Database&&) noexcept;
   ~Database();

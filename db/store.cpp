@@ -1,6 +1,7 @@
 // The writer thread: takes all jobs that wait, runs them in one transaction, commits, answers.
 #include "db/store.hpp"
 
+#include <algorithm>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -12,10 +13,19 @@ namespace {
 
 using Answer = std::expected<void, StoreError>;
 
+using Clock = std::chrono::steady_clock;
+
 struct Waiting {
   std::function<void(Database&)> job;
   std::function<void(Answer)> done;
+  Clock::time_point since;
 };
+
+// A lock that one transaction has waited for in vain is no reason for the next one to wait as long again: each job is
+// answered when its own patience ends.
+std::chrono::milliseconds patience_of(const Waiting& oldest) {
+  return patience_left(std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - oldest.since));
+}
 
 StoreError error_of(const std::exception_ptr& thrown) {
   try {
@@ -48,6 +58,7 @@ Answer attempt(Database& database, Waiting& waiting) {
 Settled commit_together(Database& database, std::vector<Waiting>& jobs, std::size_t first) {
   Settled settled;
   bool has_begun = false;
+  database.set_patience(patience_of(jobs[first]));
   try {
     database.transaction([&] {
       has_begun = true;
@@ -66,6 +77,11 @@ Settled commit_together(Database& database, std::vector<Waiting>& jobs, std::siz
 }
 
 }  // namespace
+
+std::chrono::milliseconds patience_left(std::chrono::milliseconds waited) {
+  constexpr std::chrono::milliseconds kLeast{100};  // for what is busy for a moment
+  return std::max(kLeast, kPatience - waited);
+}
 
 struct Store::Impl {
   Impl(Database taken, Post to) : database(std::move(taken)), post(std::move(to)) {}
@@ -125,7 +141,7 @@ Store::~Store() {
 void Store::enqueue(std::function<void(Database&)> job, std::function<void(Answer)> done) {
   {
     const std::lock_guard lock(impl_->mutex);
-    impl_->waiting.push_back({std::move(job), std::move(done)});
+    impl_->waiting.push_back({std::move(job), std::move(done), Clock::now()});
     ++impl_->counts.waiting;
   }
   impl_->wake.notify_one();

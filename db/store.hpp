@@ -1,6 +1,7 @@
 // The one thread that writes: jobs in, answers back; jobs that wait together are committed together (STO-002, STO-009).
 #pragma once
 
+#include <chrono>
 #include <expected>
 #include <functional>
 #include <memory>
@@ -19,6 +20,9 @@ struct StoreError {
   FailureKind kind = FailureKind::refused;  ///< `explain(kind, "en")` says it in English
   std::string detail = {};                  ///< for the log: the failing step and SQLite's own words
 };
+
+/// How long a job that has waited so long already still waits for somebody else's lock (STO-009).
+[[nodiscard]] std::chrono::milliseconds patience_left(std::chrono::milliseconds waited);
 
 /// Runs a function on the thread that wants the answers (the lab's).
 using Post = std::function<void(std::function<void()>)>;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "configuration_text.hpp"
+#include "net/listen.hpp"
 
 #define TOML_ENABLE_FORMATTERS 0
 // The library asserts what its own error handling reports a line later ("[?": no key begins like that).
@@ -22,6 +23,9 @@ namespace cnclab {
 namespace {
 
 using lab::Configuration;
+
+/// Two beats of 50 ms: with one, the beat itself would be silence (AUTH-007).
+constexpr int kLeastManualSilence_ms = 100;
 
 /// A key of lab.toml. `take` puts the value into the configuration and says what would be right if it may not.
 struct ConfigKey {
@@ -51,6 +55,21 @@ ConfigKey text_key(std::string_view section, std::string_view name, std::string 
             if (!value) return "a text in quotes";
             if (!allowed.empty() && std::ranges::find(allowed, *value) == allowed.end())
               return fmt::format("one of {}", fmt::join(allowed, ", "));
+            to.*member = *value;
+            return {};
+          },
+          [member](const Configuration& from) { return in_quotes(from.*member); }};
+}
+
+ConfigKey address_key(std::string_view section, std::string_view name, std::string Configuration::* member,
+                      std::string_view comment, bool may_be_empty) {
+  return {section, name, comment,
+          [=](const toml::node& node, Configuration& to) -> std::string {
+            const auto value = node.value_exact<std::string>();
+            const bool is_off = value && value->empty() && may_be_empty;
+            if (!value || (!is_off && !net::endpoint_of(*value)))
+              return fmt::format("an address and a port in quotes, such as \"127.0.0.1:3300\"{}",
+                                 may_be_empty ? ", or empty" : "");
             to.*member = *value;
             return {};
           },
@@ -139,12 +158,13 @@ ConfigKey model_key() {
 ConfigKey size_key() {
   return {"workpiece", "size_mm", "size of the simulated workpiece: X, Y, Z",
           [](const toml::node& node, Configuration& to) -> std::string {
+            constexpr const char* right = "three lengths from 1 to 1000 mm";
             const toml::array* array = node.as_array();
-            if (array == nullptr || array->size() != 3) return "three lengths in mm";
+            if (array == nullptr || array->size() != 3) return right;
             std::vector<double> size;
             for (const auto& item : *array) {
               const auto value = item.value<double>();
-              if (!value || !(*value > 0) || *value > 10'000) return "three lengths in mm";
+              if (!value || !(*value >= 1) || *value > 1000) return right;
               size.push_back(*value);
             }
             to.size_mm = size;
@@ -167,15 +187,16 @@ ConfigKey cell_key() {
 const std::vector<ConfigKey>& keys() {
   using C = Configuration;
   static const std::vector<ConfigKey> kAll{
-      text_key("server", "listen", &C::listen, "address and port for stations and consoles"),
+      address_key("server", "listen", &C::listen, "address and port for stations and consoles", false),
       data_key(),
-      text_key("server", "metrics", &C::metrics, "loopback ADDR:PORT for Prometheus text, empty = off"),
+      address_key("server", "metrics", &C::metrics, "loopback ADDR:PORT for Prometheus text, empty = off", true),
       tongue_key(),
       switch_key("lab", "accept", &C::accept, "a selected station accepts with START"),
       number_key("lab", "keep_minutes", &C::keep_minutes, "how long a control waits for a broken line", 1, 240),
       number_key("lab", "memory_bytes", &C::memory_bytes, "program memory of each student", 4096, 100'093),
       switch_key("lab", "hints", &C::hints, "row 18 says why a key was ignored"),
-      number_key("lab", "silence_manual_ms", &C::silence_manual_ms, "silence that stops manual motion", 50, 300),
+      number_key("lab", "silence_manual_ms", &C::silence_manual_ms, "silence that stops manual motion",
+                 kLeastManualSilence_ms, 300),
       number_key("lab", "silence_lease_ms", &C::silence_lease_ms, "silence that ends control", 100, 1000),
       number_key("lab", "journal_days", &C::journal_days, "how long the journal is kept", 1, 3650),
       number_key("lab", "undo_days", &C::undo_days, "how long removed students can be restored", 1, 3650),
@@ -196,7 +217,7 @@ const std::vector<ConfigKey>& keys() {
                {11, 12, 13, 14, 15, 16, 17, 18, 21, 22, 23, 24, 25, 26, 27, 28}),
       size_key(),
       cell_key(),
-      text_key("dnc", "listen", &C::dnc_listen, "TCP address of the serial line, empty = off"),
+      address_key("dnc", "listen", &C::dnc_listen, "TCP address of the serial line, empty = off", true),
       text_key("dnc", "device", &C::dnc_device, "serial device, empty = off"),
       number_key("dnc", "station", &C::dnc_station, "station that the device belongs to, 0 = none", 0, 15),
       switch_key("dnc", "pacing", &C::dnc_pacing, "keep to the baud rate"),
@@ -228,6 +249,9 @@ std::expected<lab::Configuration, std::string> configuration_of(const toml::tabl
         return std::unexpected(fmt::format("{}: '{}' must be {}", place(file, value.source()), name.str(), right));
     }
   }
+  if (!configuration.dnc_device.empty() && configuration.dnc_station == 0)
+    return std::unexpected(fmt::format("{}: 'device' needs 'station', 1 to 15, in [dnc]",
+                                       place(file, document["dnc"]["device"].node()->source())));
   return configuration;
 }
 

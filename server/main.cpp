@@ -17,6 +17,7 @@
 #include "db/store.hpp"
 #include "lab/lab.hpp"
 #include "machine/tick_thread.hpp"
+#include "net/listen.hpp"
 #include "net/metrics.hpp"
 #include "net/serial_device.hpp"
 #include "net/serial_listener.hpp"
@@ -98,8 +99,6 @@ struct SerialLines {
 std::expected<SerialLines, std::string> listen_for_lines(asio::io_context& loop,
                                                          const lab::Configuration& configuration,
                                                          const Certificate& certificate) {
-  if (!configuration.dnc_device.empty() && configuration.dnc_station == 0)
-    return std::unexpected("[dnc] device needs [dnc] station, 1 to 15");
   SerialLines lines;
   if (configuration.dnc_listen.empty()) return lines;
   auto listener = net::SerialListener::listen(loop, configuration.dnc_listen, certificate);
@@ -213,8 +212,13 @@ int run(const CommandLine& line) {
 int main(int argc, char** argv) {
   cnclab::CommandLine line;
   CLI::App app("The server of the CNC 3300 training lab: owns the machine, the students' programs and the selector.");
+  app.set_version_flag("--version", "cnclab-server " CNCLAB_VERSION);
   app.add_option("--config", line.config_file, "configuration file (lab.toml)");
-  app.add_option("--listen", line.listen, "address and port, default 127.0.0.1:3300; port 0 takes any");
+  app.add_option("--listen", line.listen, "address and port, default 127.0.0.1:3300; port 0 takes any")
+      ->check([](const std::string& address) -> std::string {
+        if (cnclab::net::endpoint_of(address)) return {};
+        return "an address and a port is wanted, such as 127.0.0.1:3300";
+      });
   app.add_option("--data", line.data, "data folder, default var");
   app.add_option("--model", line.model, "3300 or 3250")->check(CLI::IsMember({"3300", "3250"}));
   app.add_option("--language", line.language, "de or en")->check(CLI::IsMember({"de", "en"}));

@@ -75,6 +75,21 @@ double length_of(const Line& line) {
 
 double length_of(const Arc& arc) { return shape_of(arc).length; }
 
+double length_of(const PathItem& item) {
+  if (const auto* line = std::get_if<Line>(&item.what)) return length_of(*line);
+  if (const auto* arc = std::get_if<Arc>(&item.what)) return length_of(*arc);
+  return 0;
+}
+
+double seconds_at_feed(const PathItem& item) {
+  constexpr double kSecondsPerMinute = 60;
+  if (const auto* line = std::get_if<Line>(&item.what))
+    return length_of(*line) / line->feed_mm_per_min * kSecondsPerMinute;
+  if (const auto* arc = std::get_if<Arc>(&item.what)) return length_of(*arc) / arc->feed_mm_per_min * kSecondsPerMinute;
+  if (const auto* dwell = std::get_if<Dwell>(&item.what)) return dwell->seconds;
+  return 0;
+}
+
 Point point_at(const Line& line, double length, double way) {
   if (way <= 0) return line.from;
   if (way >= length) return line.to;

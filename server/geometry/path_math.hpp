@@ -1,4 +1,4 @@
-// What every stage needs to know of a path element: its length, where it is at a way, and its direction there.
+// What every stage needs to know of a path element: its length and time, where it is at a way, and its direction there.
 #pragma once
 
 #include "geometry/path_item.hpp"
@@ -28,6 +28,10 @@ struct ArcShape {
 
 [[nodiscard]] double length_of(const Line& line);  ///< mm, all four axes
 [[nodiscard]] double length_of(const Arc& arc);    ///< mm
+/// mm, of lines and arcs, those of the fourth axis too; 0 of everything else.
+[[nodiscard]] double length_of(const PathItem& item);
+/// Seconds that a way takes at its feed, without ramps, and a dwell; 0 of everything else.
+[[nodiscard]] double seconds_at_feed(const PathItem& item);
 
 /// The point of the element after `way` mm, 0 <= way <= length; exact at both ends.
 [[nodiscard]] Point point_at(const Line& line, double length, double way);

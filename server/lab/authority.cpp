@@ -10,10 +10,11 @@ using machine::StopCause;
 
 namespace {
 
-/// The reason of AUTH-004 why the selector may not move now.
+/// The reason of AUTH-004 why the selector may not move now. A program runs also while a dwell moves nothing.
 Refuse busy(const MachineView& machine) {
+  if (machine.run_active && !machine.manual_motion)
+    return {"Auf der Maschine läuft noch ein Programm.", "A program is still running."};
   if (machine.moving) return {"Die Achsen bewegen sich noch.", "The axes are still moving."};
-  if (machine.run_active) return {"Auf der Maschine läuft noch ein Programm.", "A program is still running."};
   return {"Die Spindel dreht noch.", "The spindle is still turning."};
 }
 

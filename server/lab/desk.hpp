@@ -96,6 +96,7 @@ struct Desk {
   bool ignore_start_until_release = false;  ///< the START that accepted an offer (AUTH-005)
   std::optional<LaborMenu> labor;           ///< the lab's menu while it is open (key LABOR)
   std::deque<std::string> messages;         ///< of the instructor since the login, newest first
+  std::string unread;                       ///< the newest that came while the line was broken, for row 18
   std::uint64_t state = 1;                  ///< number of the situation below (AUTH-008)
   panel::Situation situation;
   bool situation_on_lab = false;

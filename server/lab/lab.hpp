@@ -142,7 +142,7 @@ class Lab {
   /// (DEC-39), and the START that accepts an offer.
   [[nodiscard]] bool takes_for_menu(const Desk& desk, Key key) const;
   void labor_key(const DeskPtr& desk, Key key);
-  /// A message of the instructor: row 18 now, and on the menu's list.
+  /// A message of the instructor: on the menu's list and in row 18, at once or as soon as the line is back.
   void deliver(Desk& desk, const std::string& message);
   void choose_language(const DeskPtr& desk, language::Tongue tongue);
   [[nodiscard]] LaborFacilities labor_facilities(const Desk& desk) const;
@@ -230,6 +230,9 @@ class Lab {
   void begin_recording(const DeskPtr& desk, RunRecorder& recorder, const std::shared_ptr<const panel::RunOrder>& order,
                        const machine::Snapshot& snapshot);
   [[nodiscard]] bool is_hand_recorded(const Desk& desk) const;
+  /// For the instructor: in the journal, as soon as there is room for it, and counted.
+  [[nodiscard]] std::function<void(const db::StoreError&)> loss_teller(const std::string& what, const Desk& desk,
+                                                                       Epoch lease);
   void end_recording(const DeskPtr& desk, RunRecorder& recorder, machine::StopCause cause);
   /// Whatever the tools did wrong: told to the student, written down, counted as an error.
   void tell_milling(const DeskPtr& desk);
@@ -275,6 +278,7 @@ class Lab {
   int shown_station_ = 0;             ///< whose screen all see, 0 nobody's (INS-002)
   SerialLines lines_;
   std::uint64_t logins_ = 0;
+  std::uint64_t runs_lost_ = 0;  ///< whose record the store could not take (STO-009)
   std::uint64_t late_ticks_told_ = 0;
   std::int64_t house_kept_ns_ = 0;  ///< 0: not yet
   int drawn_second_ = -1;

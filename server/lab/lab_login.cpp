@@ -316,6 +316,7 @@ void Lab::sit_down(const VisitPtr& visit, const DeskPtr& desk, int station) {
   seat_media(visit, desk);
   static_cast<void>(decide(LoggedIn{station, desk->login}, tongue_of(desk->person)));
   set_locked(desk, locked_.contains(desk->person.id));
+  if (!desk->unread.empty()) note(*desk, std::exchange(desk->unread, {}));
   everybody_changed();
 }
 

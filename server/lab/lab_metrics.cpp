@@ -56,6 +56,7 @@ std::string Lab::metrics() const {
   all.add("store_commits_total", "counter", "Commits of the store.", store.commits);
   all.add("store_failures_total", "counter", "Jobs that could not be stored.", store.failures);
   all.add("store_waiting", "gauge", "Jobs that wait for the store.", store.waiting);
+  all.add("runs_lost_total", "counter", "Runs whose record the store could not take, or not wholly.", runs_lost_);
   return all.text();
 }
 

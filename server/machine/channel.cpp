@@ -2,6 +2,7 @@
 #include "machine/channel.hpp"
 
 #include <algorithm>
+#include <bitset>
 #include <utility>
 
 #include "machine/channel_mailbox.hpp"
@@ -37,13 +38,16 @@ struct Channel::Impl {
   std::uint64_t given = 0;  ///< orders put into the ring
   std::uint64_t trace_lost_seen = 0;
   Epoch newest_epoch{};
+  std::bitset<kResumptionsKept> answers;  ///< at the newest resumptions, each in the place of its number
 };
 
 Channel::Channel(Machine& machine, const MachineData& data) : impl_(std::make_unique<Impl>(machine, data)) {}
 Channel::~Channel() = default;
 
 motion::Planner* Channel::begin_run(Epoch epoch, const geometry::Point& position, bool is_program) {
-  const BeginRun order{epoch, impl_->planner.run() + 1, position, impl_->limits, is_program};
+  const BeginRun order{epoch,      impl_->planner.run() + 1,
+                       position,   impl_->limits,
+                       is_program, impl_->mail.resumptions.load(std::memory_order_relaxed)};
   if (!impl_->order(order)) return nullptr;
   impl_->planner.restart(impl_->limits);
   return &impl_->planner;
@@ -77,9 +81,12 @@ void Channel::set_override(double ratio) {
 
 void Channel::note_resumption(bool input_1) {
   // Only this thread writes.
-  const std::uint64_t number = impl_->mail.resumptions.load(std::memory_order_relaxed) / 2 + 1;
-  impl_->mail.resumptions.store(2 * number + (input_1 ? 1 : 0), std::memory_order_release);
+  const std::uint64_t number = impl_->mail.resumptions.load(std::memory_order_relaxed) + 1;
+  impl_->answers[number % kResumptionsKept] = input_1;
+  impl_->mail.resumptions.store(number, std::memory_order_release);
 }
+
+bool Channel::answer_at_resumption(std::uint64_t number) const { return impl_->answers[number % kResumptionsKept]; }
 
 void Channel::set_single_block(bool on) { impl_->mail.single_block.store(on, std::memory_order_relaxed); }
 

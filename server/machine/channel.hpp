@@ -169,8 +169,10 @@ struct TickLevels {
   bool go = false;                       ///< a START took effect: begin, going on, release of a halt
   std::array<std::int8_t, 3> by_hand{};  ///< directions of a Jog or RunReference that took effect
   bool is_reference = false;             ///< it was a RunReference
-  std::uint8_t resumptions = 0;  ///< how often since the tick before path has come that had waited (`note_resumption`)
-  bool resumed_with = false;     ///< Input 1 as it was answered at the last of them
+  /// How often path has come that had waited (`note_resumption`): up to this tick, and of those since the tick before
+  /// or, behind a rest, since that began.
+  std::uint64_t resumption = 0;
+  std::uint32_t resumptions = 0;
   friend bool operator==(const TickLevels&, const TickLevels&) = default;
 };
 
@@ -221,6 +223,9 @@ class Channel {
   /// The path goes on behind a question, or whatever else it had to wait for: the tick that finds it is traced, since
   /// the way depends on it.
   void note_resumption(bool input_1);
+  /// Input 1 as it was answered at the resumption of that number (`TickLevels::resumption`), which is one of the newest
+  /// kResumptionsKept.
+  [[nodiscard]] bool answer_at_resumption(std::uint64_t number) const;
   /// These outputs (bits of cards 1 and 2) go off with the power; the others keep their state, as at stops (AUTH-003).
   void set_outputs_off_at_power_off(const std::array<std::uint8_t, 2>& cards);
   /// Grants an epoch until `expiry_ns` of the tick's clock, or renews it. Epochs never go back: an older one, and one
@@ -252,5 +257,7 @@ class Channel {
 };
 
 inline constexpr std::int64_t kNeverExpires = INT64_MAX;
+/// Twice the blocks that a run reads ahead while it rests: each ends one wait at most, and nobody asks before START.
+inline constexpr std::size_t kResumptionsKept = 16'384;
 
 }  // namespace cnclab::machine

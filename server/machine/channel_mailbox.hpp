@@ -20,6 +20,7 @@ struct BeginRun {
   geometry::Point position;
   motion::Limits limits;
   bool is_program = true;
+  std::uint64_t resumptions = 0;  ///< before it: those of earlier runs
 };
 
 /// New machine data for manual motion and counters.
@@ -51,7 +52,7 @@ struct Mailbox {
   std::atomic<bool> latched{false};           ///< MASCHINE HALT: no start command is taken
   std::atomic<double> override_ratio{1};
   std::atomic<bool> single_block{false};
-  std::atomic<std::uint64_t> resumptions{0};               ///< twice their number, plus Input 1 of the newest
+  std::atomic<std::uint64_t> resumptions{0};               ///< their number so far
   std::atomic<std::uint16_t> outputs_off_at_power_off{0};  ///< bits 0..7 card 1, 8..15 card 2
   SeqLock<Lease> lease;
   std::atomic<std::uint64_t> revoked_up_to{0};  ///< epochs up to this one are dead

@@ -83,6 +83,7 @@ void ChannelTick::obey(const BeginRun& order, bool /*is_fresh*/) noexcept {
   run_ = {.number = order.run, .is_active = true, .anchor_due = true, .is_program = order.is_program};
   anchor_at(order.position);
   sequence_ = 0;
+  resumptions_seen_ = order.resumptions;
 }
 
 /// For whatever sets axes in motion.

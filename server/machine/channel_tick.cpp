@@ -1,7 +1,6 @@
 // The order of things in a tick, manual motion, and what goes out: to the machine, to the lab, into the trace.
 #include "machine/channel_tick.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -44,13 +43,11 @@ void ChannelTick::move(double tick_s) noexcept {
   const bool single_block = mail_.single_block.load(std::memory_order_relaxed);
   levels_.override_ratio = static_cast<float>(ratio);
   levels_.single_block = single_block;
-  const std::uint64_t resumptions = mail_.resumptions.load(std::memory_order_acquire);
-  // At rest nothing is traced: then it is the next START that finds it.
-  if (started_) {
-    const std::uint64_t before = std::exchange(resumptions_seen_, resumptions);
-    levels_.resumptions = static_cast<std::uint8_t>(std::min<std::uint64_t>(resumptions / 2 - before / 2, 255));
+  if (activity_ == Activity::run) {  // at rest nothing is traced: then it is the next START that finds it
+    levels_.resumption = mail_.resumptions.load(std::memory_order_acquire);
+    const std::uint64_t before = std::exchange(resumptions_seen_, levels_.resumption);
+    levels_.resumptions = static_cast<std::uint32_t>(levels_.resumption - before);
   }
-  levels_.resumed_with = resumptions % 2 != 0;
   switch (activity_) {
     case Activity::none:
       speed_mm_per_s_ = 0;

@@ -9,6 +9,7 @@
 #include "panel/key_table.hpp"
 #include "panel/remote_line.hpp"
 #include "panel/run/run_end.hpp"
+#include "panel/run/start_check.hpp"
 #include "panel/screen/names.hpp"
 #include "panel/screen/screen_frame.hpp"
 #include "panel/state_json.hpp"
@@ -113,14 +114,12 @@ void Control::connect(Connection connection) {
   if (falls_back) impl_->change_mode(Mode::menu, outcome);
   state.connection = std::move(connection);
   // AUTH-003: G40 G45 G74 M20 become active; spindle and coolant are off.
-  program::ModalState& modal = state.modal;
+  program::ModalState& modal = state.modal = with_tools_off(state.modal);
   const program::ModalState power_on;
   modal.radius = power_on.radius;
   modal.length_compensation = modal.scale_on = false;
   modal.scale = power_on.scale;
   modal.blocks_hidden = modal.subprogram_blocks_hidden = modal.potentiometer_off = modal.test_run = false;
-  modal.spindle = power_on.spindle;
-  modal.coolant = power_on.coolant;
   state.compensation_mm = {};
   state.taught = {};  // positions of another machine mean nothing here
   // What ended the motion that this change has cut off is still to be told: `Endschalter` with its axis (ERR-020).
@@ -269,6 +268,9 @@ std::string Control::Impl::sentence(const SideView& side) const {
   if (!side.notice.empty()) return side.notice;
   if (!state.hint.empty()) return state.hint;
   if (!state.message.sentence.empty()) return state.message.sentence;
+  const Place here = place();
+  const bool may_start = here == Place::menu || here == Place::hand_ready || here == Place::automat_ready;
+  if (may_start && are_drives_off(state)) return std::string(drives_off_sentence(state));
   return sentence_of(active, state);
 }
 
@@ -288,7 +290,9 @@ Screen Control::draw(const Now& now, const SideView& side) const {
                     .is_referenced = machine.is_referenced,
                     .spindle = machine.spindle};
   draw_side(canvas, side, lamps, state.tongue());
-  const auto lists = [&](Effect effect) { return side.keys_work && is_of_use(impl_->active, effect); };
+  const auto lists = [&](Effect effect, Key key) {
+    return side.keys_work && is_of_use(impl_->active, state, effect, key);
+  };
   draw_bottom(canvas, {side.bar, impl_->sentence(side), lists}, impl_->place(), state.settings);
   return canvas.screen();
 }
@@ -340,6 +344,8 @@ void Control::replace_memory(Memory memory) {
 void Control::replace_data(machine::MachineData data) {
   impl_->state.data = std::move(data);
   (void)impl_->state.apply_data();  // where the machine does not stand still, the next START tries again
+  auto* shown = std::get_if<MachineDataMode>(&impl_->active);
+  if (shown != nullptr && shown->value.typed == 0) show_datum(*shown, impl_->state, shown->number);
 }
 
 void Control::drop_hint() { impl_->state.hint.clear(); }

@@ -1,6 +1,8 @@
 // Helpers that every mode needs: complaints, the connected machine's data and state.
 #include "panel/control_state.hpp"
 
+#include <algorithm>
+#include <array>
 #include <utility>
 
 namespace cnclab::panel {
@@ -68,7 +70,9 @@ void ControlState::initialise() {
 }
 
 void ControlState::take_over(const RunEnd& end) {
-  modal = end.legacy.modal;
+  const bool is_broken_off = end.kind == RunEnd::Kind::broken && machine::abandons_run(end.cause);
+  const bool tools_are_off = is_broken_off || end.kind == RunEnd::Kind::failed;
+  modal = tools_are_off ? with_tools_off(end.legacy.modal) : end.legacy.modal;
   parameters = end.legacy.parameters;
   compensation_mm = end.legacy.compensation_mm;
 }
@@ -81,6 +85,15 @@ language::Plane ControlState::plane() const { return static_cast<language::Plane
 
 machine::Snapshot ControlState::machine() const {
   return connection.channel ? connection.channel->snapshot() : machine::Snapshot{};
+}
+
+program::ModalState with_tools_off(program::ModalState modal) {
+  constexpr std::array kSwitchOn{3, 4, 8, 13, 14};
+  constexpr int kBothOff = 12;
+  if (std::ranges::find(kSwitchOn, modal.m) != kSwitchOn.end()) modal.m = kBothOff;
+  modal.spindle = geometry::SpindleTurn::off;
+  modal.coolant = false;
+  return modal;
 }
 
 std::string program_text(int number) { return zero_padded(number, 4); }

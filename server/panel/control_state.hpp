@@ -103,6 +103,10 @@ struct ControlState {
   [[nodiscard]] machine::Snapshot machine() const;  ///< all at rest where none is connected
 };
 
+/// The state where something else than a block has switched spindle and coolant off: an M that says they are on gives
+/// way to M12.
+[[nodiscard]] program::ModalState with_tools_off(program::ModalState modal);
+
 /// "0001", "001" for sentences; "P0001", "N001" as words.
 [[nodiscard]] std::string program_text(int number);
 [[nodiscard]] std::string block_text(int number);

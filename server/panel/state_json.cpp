@@ -20,14 +20,7 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr std::int64_t kLargestOffset_s = 200LL * 366 * 86'400;  // two centuries
-constexpr double kLargestIstwert_mm = 9999.999;
-
-/// Spindle and coolant come back switched off: the machine is (SEAT-004 "always in STOP").
-program::ModalState at_rest(program::ModalState modal) {
-  modal.spindle = geometry::SpindleTurn::off;
-  modal.coolant = false;
-  return modal;
-}
+constexpr double kLargestIstwert_mm = 99'999.999;                ///< a counter goes on behind what can be typed
 
 /// Three lengths in mm; nothing where the text has no such row of three.
 std::optional<std::array<double, 3>> lengths_in(const Json& json, const char* name) {
@@ -61,6 +54,27 @@ AutomatMode automat_of(const Json& json, const ControlState& state) {
   const bool has_block = program->find(mode.block_number()).has_value();
   mode.phase = phase == AutomatMode::Phase::ready && !has_block ? AutomatMode::Phase::block : phase;
   prepare_start(mode, state);
+  return mode;
+}
+
+/// The prompt alone: what was being transferred, or released for a remote start, is over, and C for everything has to
+/// be pressed again.
+Json external_data_json(const ExternalDataMode& mode) {
+  if (mode.phase != ExternalDataMode::Phase::program) return Json::object();
+  return {{"device", static_cast<int>(*mode.device)},
+          {"program", field_json(mode.program)},
+          {"data", mode.adopts_machine_data}};
+}
+
+/// Whether the device is still connected shows when it is to do something.
+ExternalDataMode external_data_of(const Json& json, const ControlState& state) {
+  ExternalDataMode mode = open_external_data(state);
+  const auto device = integer_in(json, "device", 0, static_cast<int>(Device::computer_in), 0);
+  if (device == 0) return mode;
+  mode.device = static_cast<Device>(device);
+  mode.phase = ExternalDataMode::Phase::program;
+  read_field(json, "program", mode.program);
+  mode.adopts_machine_data = flag_in(json, "data") && mode.device >= Device::cassette_in;
   return mode;
 }
 
@@ -129,6 +143,7 @@ ActiveMode active_mode_of(Mode mode, const Json& json, const KeptIstwert& istwer
   if (mode == Mode::editor) return editor_of(part("editor"), state);
   if (mode == Mode::automat) return automat_of(part("automat"), state);
   if (mode == Mode::erase_memory) return erase_memory_of(part("erase_memory"));
+  if (mode == Mode::external_data) return external_data_of(part("external_data"), state);
   if (mode == Mode::hand) return hand_of(part("hand"));
   if (mode == Mode::hand_input) return hand_input_of(part("hand_input"), state);
   if (mode == Mode::teach_in) return teach_in_of(part("teach_in"), istwert_um, state);
@@ -159,6 +174,8 @@ std::string write_state(const ActiveMode& mode, const ControlState& state) {
     json["clock"] = {{"seconds", clock->seconds}, {"date", clock->has_date}};
   if (const auto* erase = std::get_if<EraseMemoryMode>(&mode))
     json["erase_memory"]["program"] = field_json(erase->program);
+  if (const auto* external = std::get_if<ExternalDataMode>(&mode))
+    json["external_data"] = external_data_json(*external);
   if (const auto* hand = std::get_if<HandMode>(&mode)) json["hand"] = hand_json(*hand);
   if (const auto* input = std::get_if<HandInputMode>(&mode)) json["hand_input"] = hand_input_json(*input);
   if (const auto* teach_in = std::get_if<TeachInMode>(&mode)) json["teach_in"] = teach_in_json(*teach_in, state);
@@ -176,7 +193,8 @@ ReadState read_state(const std::string& text, ControlState& state) {
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object()) return read;
   state.override_percent = static_cast<int>(integer_in(json, "override", 0, 100, state.override_percent));
-  if (const Json* modal = member_of(json, "modal")) state.modal = at_rest(modal_of(*modal));
+  // Always in STOP, spindle and coolant off, as the machine is (SEAT-004).
+  if (const Json* modal = member_of(json, "modal")) state.modal = with_tools_off(modal_of(*modal));
   if (const Json* parameters = member_of(json, "parameters")) state.parameters = parameters_of(*parameters);
   state.editor_program = static_cast<std::uint16_t>(integer_in(json, "editor_program", 0, language::kLastProgram, 1));
   state.automat_program = static_cast<std::uint16_t>(integer_in(json, "automat_program", 0, language::kLastProgram, 1));

@@ -41,6 +41,14 @@ bool names_a_wall(StageFault::Kind kind) {
          kind == StageFault::Kind::exit_too_close;
 }
 
+/// What was found of the fault's measure, and what would do.
+void measure(const StageFault& fault, language::Error& error) {
+  const bool is_radius = fault.kind == StageFault::Kind::inside_arc_too_small;
+  const std::string_view name = is_radius ? "R " : "", unit = is_radius ? "" : " mm";
+  error.detail = fmt::format("{}{:.3f}{}", name, fault.found_mm, unit);
+  error.expected = fmt::format("{}>= {:.3f}{}", name, fault.needed_mm, unit);
+}
+
 bool is_contour_order(const geometry::PathItem& item) {
   const auto* order = std::get_if<geometry::RadiusOffset>(&item.what);
   return order != nullptr && (order->side == geometry::OffsetSide::left || order->side == geometry::OffsetSide::right);
@@ -54,8 +62,7 @@ language::Error error_of(const StageFault& fault) {
   if (names_a_wall(fault.kind)) {
     error.detail = fmt::format("P{:04} N{:03}", fault.other.program, fault.other.block);
   } else if (fault.found_mm != 0 || fault.needed_mm != 0) {
-    error.detail = fmt::format("{:.3f}", fault.found_mm);
-    error.expected = fmt::format("{:.3f}", fault.needed_mm);
+    measure(fault, error);
   }
   return error;
 }

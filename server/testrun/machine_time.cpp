@@ -19,17 +19,6 @@ constexpr std::size_t kMostWaiting = 1024, kKeepWaiting = 512;
 /// Ticks without motion after which the path counts as done: what rests so long is starved.
 constexpr int kRestTicks = 3;
 
-/// How long the item takes at its programmed speed.
-double nominal_seconds(const geometry::PathItem& item) {
-  constexpr double kSecondsPerMinute = 60;
-  if (const auto* line = std::get_if<geometry::Line>(&item.what))
-    return geometry::length_of(*line) / line->feed_mm_per_min * kSecondsPerMinute;
-  if (const auto* arc = std::get_if<geometry::Arc>(&item.what))
-    return geometry::length_of(*arc) / arc->feed_mm_per_min * kSecondsPerMinute;
-  if (const auto* dwell = std::get_if<geometry::Dwell>(&item.what)) return dwell->seconds;
-  return 0;
-}
-
 }  // namespace
 
 struct MachineTime::Impl {
@@ -65,7 +54,7 @@ struct MachineTime::Impl {
 
   void take(const geometry::PathItem& item) {
     static_cast<void>(planner.append(item));  // the window is far larger than what ever waits
-    nominal_s.push_back(nominal_seconds(item));
+    nominal_s.push_back(geometry::seconds_at_feed(item));
     waiting_s += nominal_s.back();
     if (queue.waiting() >= kMostWaiting) follow(kKeepWaiting);
   }

@@ -19,12 +19,6 @@ constexpr double kTravelTolerance_mm = 1e-4;
 constexpr std::array<float drawing::Spot::*, 3> kAxes{&drawing::Spot::x, &drawing::Spot::y, &drawing::Spot::z};
 constexpr std::string_view kAxisNames = "XYZ";
 
-double length_of(const geometry::PathItem& item) {
-  if (const auto* line = std::get_if<geometry::Line>(&item.what)) return geometry::length_of(*line);
-  if (const auto* arc = std::get_if<geometry::Arc>(&item.what)) return geometry::length_of(*arc);
-  return 0;
-}
-
 bool is_way(const geometry::PathItem& item) {
   return std::holds_alternative<geometry::Line>(item.what) || std::holds_alternative<geometry::Arc>(item.what);
 }
@@ -133,7 +127,7 @@ void TestRun::take_tool(const geometry::PathItem& item, const geometry::ToolChan
 
 void TestRun::take_way(const geometry::PathItem& item) {
   if (item.is_fourth_axis) return;
-  path_mm_ += length_of(item);
+  path_mm_ += geometry::length_of(item);
   std::vector<drawing::Stroke> way;
   drawing::append_strokes(item, way);
   check_travel(item, way.front());

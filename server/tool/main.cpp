@@ -123,6 +123,7 @@ int main(int argc, char** argv) {
   options.tongue = tongue_of_environment();
   Command chosen;
   CLI::App app("Checks, runs and draws programs of the CNC 3300 without a server.", "cnclab-tool");
+  app.set_version_flag("--version", "cnclab-tool " CNCLAB_VERSION);
   app.require_subcommand(1);
   app.add_option_function<std::string>(
          "--language",

@@ -24,13 +24,8 @@ constexpr std::size_t kFillBelow = 8'192;
 /// The trace ring is drained so often that it never overflows, ticks.
 constexpr std::uint64_t kDrainEvery = 64;
 
-/// Of the tool's way; the fourth axis moves something else.
-double length_of(const geometry::PathItem& item) {
-  if (item.is_fourth_axis) return 0;
-  if (const auto* line = std::get_if<geometry::Line>(&item.what)) return geometry::length_of(*line);
-  if (const auto* arc = std::get_if<geometry::Arc>(&item.what)) return geometry::length_of(*arc);
-  return 0;
-}
+/// The fourth axis moves something else.
+double tool_way_of(const geometry::PathItem& item) { return item.is_fourth_axis ? 0 : geometry::length_of(item); }
 
 void append_int32(std::array<char, 16>& bytes, std::size_t at, std::int32_t value) {
   const auto bits = static_cast<std::uint32_t>(value);
@@ -127,7 +122,7 @@ void Simulation::feed(program::CheckedPath& path, motion::Planner& planner) {
     }
     const geometry::PathItem& item = pending_.front();
     static_cast<void>(planner.append(item));  // kFillTo stays far below the window
-    waiting_.push_back({.item = item, .length_mm = length_of(item)});
+    waiting_.push_back({.item = item, .length_mm = tool_way_of(item)});
     pending_.pop_front();
   }
   planner.plan();

@@ -175,6 +175,15 @@ TEST(Store, WaitsForALockFromOutside) {  // STO-009: retried where it helps
   EXPECT_TRUE(future.get());
 }
 
+TEST(Store, AJobThatHasWaitedIsPatientOnlyForWhatIsLeft) {  // STO-009: told after 5 s, whoever waited in vain before
+  using std::chrono::milliseconds;
+  EXPECT_EQ(patience_left(milliseconds(0)), milliseconds(5000));
+  EXPECT_EQ(patience_left(milliseconds(1)), milliseconds(4999));
+  EXPECT_EQ(patience_left(milliseconds(4800)), milliseconds(200));
+  EXPECT_EQ(patience_left(milliseconds(4999)), milliseconds(100)) << "what is busy for a moment is no lock";
+  EXPECT_EQ(patience_left(milliseconds(60'000)), milliseconds(100));
+}
+
 TEST(Store, FinishesWhatWaitsBeforeItEnds) {
   const LabFolder folder;
   int answers = 0;

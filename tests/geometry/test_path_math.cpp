@@ -109,6 +109,24 @@ TEST(PathMath, LinesRunStraight_EX011_EX030) {
   EXPECT_LT(distance(point_at(feed, length, length / 4), {25, 25}), 1e-12);
 }
 
+PathItem item_of(const decltype(PathItem::what)& what) {
+  PathItem item;
+  item.what = what;
+  return item;
+}
+
+TEST(PathMath, ItemsOfWhateverKindHaveALengthAndATimeAtTheirFeed) {
+  const Line line{.from = {}, .to = {30, 40}, .feed_mm_per_min = 600};
+  const Arc circle{.from = {10, 0}, .to = {10, 0}, .center = {}, .feed_mm_per_min = 1200};
+  EXPECT_NEAR(length_of(item_of(line)), 50, 1e-12);
+  EXPECT_NEAR(seconds_at_feed(item_of(line)), 5, 1e-12);
+  EXPECT_NEAR(length_of(item_of(circle)), 20 * pi, 1e-9);
+  EXPECT_NEAR(seconds_at_feed(item_of(circle)), pi, 1e-9);
+  EXPECT_EQ(length_of(item_of(Dwell{.seconds = 2.5})), 0);
+  EXPECT_EQ(seconds_at_feed(item_of(Dwell{.seconds = 2.5})), 2.5);
+  EXPECT_EQ(seconds_at_feed(item_of(Halt{})), 0);
+}
+
 TEST(PathMath, AWayOfNoLengthHasNoDirection) {
   const Line still{.from = {1, 2, 3}, .to = {1, 2, 3}, .feed_mm_per_min = 100};
   EXPECT_EQ(direction_at(still, length_of(still)), Point{});

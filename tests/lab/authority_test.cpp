@@ -232,6 +232,11 @@ TEST(Authority, AUTH_015_GrantsRefusalsLossesStopsAndPowerAreJournalledWithWhomA
   scene.machine.moving = true;
   EXPECT_EQ(line(Select{2, false, "lehrer"}), "refused|The axes are still moving. (lehrer)|22");
   EXPECT_EQ(line(ReleaseIt{false, "lehrer"}), "refused|The axes are still moving. (lehrer)|11");
+  scene.machine.run_active = true;  // also where it dwells, and nothing moves
+  EXPECT_EQ(line(Select{2, false, "lehrer"}), "refused|A program is still running. (lehrer)|22");
+  scene.machine.manual_motion = true;
+  EXPECT_EQ(line(Select{2, false, "lehrer"}), "refused|The axes are still moving. (lehrer)|22");
+  scene.machine.run_active = scene.machine.manual_motion = false;
   EXPECT_EQ(line(Select{3, false, "lehrer"}), "refused|nobody logged in (lehrer)|0");
   EXPECT_EQ(line(HaltPressed{kUdo, "udo", 2}), "halt|station 2, udo|11");
   EXPECT_EQ(line(HaltPressed{kEva, "eva", 1}), "halt|station 1, eva|11");

@@ -1,8 +1,8 @@
 // What the lab forgets by itself, and what a screen says that could not store (INS-004, STO-005, STO-006, STO-009).
 #include <gtest/gtest.h>
 
+#include "keyboard_rig.hpp"
 #include "lab/stored_control.hpp"
-#include "small_lab.hpp"
 
 namespace cnclab::lab {
 namespace {
@@ -82,6 +82,35 @@ TEST_F(EnglishHouse, STO_009_what_could_not_be_stored_is_told_in_the_students_la
   for (const Key key : {Key::EINGABE, Key::ENTER, Key::ENTER, Key::ENTER, Key::D1, Key::EINGABE}) strike(eva, key);
   settle_until([&] { return !eva.visit->desk->storing; });
   EXPECT_EQ(eva.visit->desk->view.screen.text(18).substr(0, 29), "Not stored: Value not allowed");
+}
+
+class LostRuns : public testing::Test, protected KeyboardRig {};
+
+TEST_F(LostRuns, STO_009_the_instructor_sees_once_that_the_record_of_a_run_is_lost) {
+  EXPECT_EQ(status().runs_lost(), 0);
+  with_database([](db::Database& database) { database.erase(database.person("eva")->id); });  // nobody to keep it for
+  for (const Key key : {Key::AUTOMAT, Key::ENTER, Key::ENTER, Key::START}) {
+    strike(eva, key);
+    pass_ms(50);
+  }
+  strike(eva, Key::STOP);
+  pass_ms(200);
+  strike(eva, Key::MENU);
+  pass_ms(1000);  // the journal is written five times a second
+  settle_until([&] { return status().runs_lost() > 0; });
+  std::vector<std::string> entries;
+  settle_until([&] {
+    pass_ms(300);
+    entries.clear();
+    with_database([&](db::Database& database) {
+      for (const auto& entry : database.journal("eva", 0))
+        if (entry.kind == "run_lost") entries.push_back(entry.detail);
+    });
+    return !entries.empty();
+  });
+  EXPECT_EQ(entries, (std::vector<std::string>{"P0001 N001 training: refused by the database"}));
+  EXPECT_EQ(status().runs_lost(), 1) << "begin, events and end are one run";
+  EXPECT_NE(lab().metrics().find("cnclab_runs_lost_total 1\n"), std::string::npos);
 }
 
 }  // namespace

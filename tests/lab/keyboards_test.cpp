@@ -203,5 +203,32 @@ TEST_F(KeyboardsOfALab, DEC_39_RESET_acts_while_the_menu_of_LABOR_is_open) {
   EXPECT_THAT(eva.screen.text(18), HasSubstr("RESET hat die Maschine abgegeben."));
 }
 
+TEST_F(KeyboardsOfALab, INS_002_SEAT_004_AMessageForASeatWhoseLineIsBrokenIsInRow18WhenItIsBack) {
+  const std::string ticket = eva.login()->ticket();
+  lab().lost(eva.visit);
+  alive = {&console};
+  for (const char* text : {"erstens", "zweitens"})
+    ASSERT_EQ(order([&](auto& request) {
+                request.mutable_message()->set_station(kSeat);
+                request.mutable_message()->set_text(text);
+              }).error(),
+              "");
+  pass_ms(20'000);  // longer than any notice stands
+  v1::ClientMessage resume;
+  resume.mutable_resume()->set_ticket(ticket);
+  Caller again = call();
+  lab().receive(again.visit, resume);
+  alive = {&console, &again};
+  pass_ms(100);
+  EXPECT_THAT(again.screen.text(18), HasSubstr("lehrer: zweitens"));
+  pass_ms(10'000);
+  EXPECT_THAT(again.screen.text(18), Not(HasSubstr("zweitens"))) << "it stands as long as any other";
+  strike(again, Key::LABOR);
+  strike(again, Key::D6);
+  pass_ms(100);
+  EXPECT_THAT(again.screen.text(19), HasSubstr("lehrer: zweitens"));
+  EXPECT_THAT(again.screen.text(20), HasSubstr("lehrer: erstens"));
+}
+
 }  // namespace
 }  // namespace cnclab::lab

@@ -208,5 +208,31 @@ TEST(LaborScreen, NoPageIsCutInEitherLanguage) {
   check(menu);
 }
 
+TEST(LaborScreen, DEC_01_OnlyKeysThatDoSomethingAreListed) {
+  const auto keys_of = [](const LaborMenu& menu) { return rows_of(menu, Tongue::german)[23]; };
+  LaborMenu cassettes(kEverything);
+  cassettes.show_list(LaborList::cassettes, {});
+  EXPECT_THAT(keys_of(cassettes), testing::StartsWith(" EINGABE neue   C zurück "));
+  cassettes.show_list(LaborList::cassettes, {"eins", "zwei"});
+  EXPECT_THAT(keys_of(cassettes), testing::StartsWith(" 1-2 wählt   EINGABE neue   C zurück "));
+  cassettes.show_list(LaborList::cassettes, {"eins", "zwei", "drei", "vier", "fünf"});
+  EXPECT_THAT(keys_of(cassettes), testing::StartsWith(" 1-4 wählt   EINGABE neue   ↓ weiter   +/- zurückblättern"));
+  static_cast<void>(press(cassettes, {"DOWN"}));
+  EXPECT_THAT(keys_of(cassettes), testing::StartsWith(" 1 wählt   EINGABE neue   ↓ weiter"));
+  cassettes.show_cassette(4, "fünf", false);
+  EXPECT_THAT(keys_of(cassettes), testing::StartsWith(" 1,6,7 wählt "));
+  cassettes.show_cassette(4, "fünf", true);
+  EXPECT_THAT(keys_of(cassettes), testing::StartsWith(" 1-7 wählt "));
+  LaborMenu messages(kEverything);
+  messages.show_list(LaborList::messages, {});
+  EXPECT_THAT(keys_of(messages), testing::StartsWith(" C zurück "));
+  LaborMenu versions(kEverything);
+  static_cast<void>(press(versions, {"1", "2"}));
+  versions.show_versions(std::uint16_t{0}, std::vector<LaborVersion>(3));
+  EXPECT_THAT(keys_of(versions), testing::StartsWith(" 1-3 zurückholen   C zurück "));
+  EXPECT_THAT(keys_of(LaborMenu({.can_print_screen = false, .has_cassettes = true})),
+              testing::StartsWith(" 1-3,5-7 wählt "));
+}
+
 }  // namespace
 }  // namespace cnclab::lab

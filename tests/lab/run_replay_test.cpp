@@ -1,6 +1,7 @@
 // Recorded runs played again: the same trajectory from versions, start and events alone (STO-007).
 #include "lab/runs/run_replay.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -137,6 +138,59 @@ TEST_F(SingleBlocks, STO_007_BlocksWithoutAWayRestInTheTickThatBeganThem) {
   EXPECT_EQ(result.largest_deviation_mm, 0);
 }
 
+/// Two questions whose second blocks before have seen different inputs, both answered while the axes rest.
+class Questions : public testing::Test, protected ReplayRig {
+ protected:
+  Questions()
+      : ReplayRig(
+            "P0001N001G11F2000N002G17N003G21P0001N008N004G21P0001N006N005G01X+5000N006G01Y+3000N007G11M02"
+            "N008G01X+9000") {
+    channel->set_single_block(true);
+    start();
+    ticks(3);  // N001 rests in the tick that began it, and nobody has looked
+    machine.set_input(0, 0, true);
+    ticks(2);
+    run.go_on();
+    ticks(3);  // so does N002
+    ticks(80);
+  }
+};
+
+TEST_F(Questions, STO_007_D_56_EachAnswerOfThoseGivenAtRestIsInTheRecordInItsOrder) {
+  machine.set_input(0, 0, false);
+  channel->set_single_block(false);
+  ticks(40);
+  run.go_on();
+  ticks(3000);
+  EXPECT_EQ(channel->snapshot().istwert_mm[0], 0) << "Input 1 was off when N001 began, and on with N002";
+  EXPECT_EQ(channel->snapshot().istwert_mm[1], 3);
+  const RecordedRun record = recorded();
+  std::vector<double> answers;
+  for (const db::RunEvent& event : record.events)
+    if (event.kind == "resume") answers.push_back(event.value);
+  EXPECT_EQ(answers, (std::vector<double>{0, 1}));
+  const ReplayResult result = replay(record);
+  EXPECT_TRUE(result.same) << result.detail;
+  EXPECT_EQ(result.largest_deviation_mm, 0);
+}
+
+TEST_F(Questions, STO_007_AnswersOfARunThatWasGivenUpAreNotThoseOfTheNext) {
+  static_cast<void>(run.abandon());
+  static_cast<void>(recorded());
+  channel->set_single_block(false);
+  order.programs.put(language::read_tape("P0001N001G01X+2000F2000N002G01X-1000N003G21P0001N005N004G01X+500N005G01Y+700",
+                                         language::Reading::file)
+                         .programs.at(0)
+                         .program);
+  ticks(20);
+  start();
+  ticks(3000);
+  const RecordedRun record = recorded();
+  EXPECT_EQ(std::ranges::count(record.events, "resume", &db::RunEvent::kind), 1);
+  const ReplayResult result = replay(record);
+  EXPECT_TRUE(result.same) << result.detail;
+}
+
 TEST_F(Replay, STO_007_ARunThatNeverBeganIsPlayedAgainToNothing) {
   start();
   run.stop();  // in the same moment: the tick sees the STOP first, and the START before it counts no more
@@ -220,6 +274,25 @@ TEST(ReplayOfContours, STO_007_BehindAQuestionTheyArePlayedAgainHoweverLongTheLo
     const ReplayResult result = replay(record);
     EXPECT_TRUE(result.same) << blocks << ": " << result.detail;
   }
+}
+
+TEST(ReplayOfContours, STO_007_OnesThatWereReadAheadAtRestOverSeveralLooksAreThereAtTheNextStart) {
+  std::string tape = "P0000T001R+1000L+10000P0001N001G91N002G21P0001N001N003G11F2000T01M03S500";
+  for (int number = 4; number <= 700; ++number) tape += fmt::format("N{:03}G17", number);
+  tape += "N701G42N702G01X+10000N703G01Y+5000N704G01X+5000N705G40N706G01X+1000";
+  ReplayRig rig(tape);
+  rig.channel->set_single_block(true);
+  rig.start();
+  rig.ticks(200);  // N001 has ended, the blocks behind it are read and looked along
+  rig.channel->set_single_block(false);
+  rig.run.go_on();
+  rig.ticks(5000);
+  EXPECT_FALSE(rig.run.is_present()) << "the program has ended";
+  const RecordedRun record = rig.recorded();
+  EXPECT_GT(record.ticks, 700U);
+  EXPECT_EQ(std::ranges::count(record.events, "resume", &db::RunEvent::kind), 2) << "the question, and the contour";
+  const ReplayResult result = replay(record);
+  EXPECT_TRUE(result.same) << result.detail;
 }
 
 }  // namespace

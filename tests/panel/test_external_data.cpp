@@ -346,7 +346,7 @@ TEST(ExternalData3250, HasNeitherPrinterNorPunchedTape_MODEL_004_005) {
   bench.keys("EXTERNE_DATEN");
   EXPECT_THAT(bench.picture(), Not(HasSubstr("DRUCKER")));
   EXPECT_THAT(bench.picture(), Not(HasSubstr("LOCHSTREIFEN")));
-  EXPECT_EQ(bench.row(19), " 2 Gerät   4-6 Gerät   8-9 Gerät   MENU Menü");
+  EXPECT_EQ(bench.row(19), " 4 Gerät   8 Gerät   MENU Menü");
   for (const char* key : {"1", "3", "7"}) {
     bench.keys(key);
     EXPECT_THAT(bench.row(18), HasSubstr("keine Wirkung")) << key;
@@ -357,6 +357,33 @@ TEST(ExternalData3250, HasNeitherPrinterNorPunchedTape_MODEL_004_005) {
   }
   bench.keys("8");
   EXPECT_THAT(bench.monitor(8), HasSubstr("PROGRAMM NR"));
+}
+
+struct Connected {
+  std::string_view name, keys;
+  bool has_media, has_cassette;
+};
+
+TEST(ExternalDataKeys, DEC_01_D_109_OnlyConnectedDevicesAreListed) {
+  for (const auto& [name, keys, has_media, has_cassette] : {Connected{"nothing", " MENU Menü", false, false},
+                                                            {"a folder", " 1,3-4,7-8 Gerät   MENU Menü", true, false},
+                                                            {"a recorder", " 2,6 Gerät   MENU Menü", false, true},
+                                                            {"both", " 1-4,6-8 Gerät   MENU Menü", true, true}}) {
+    SCOPED_TRACE(std::string(name));
+    Bench bench;
+    bench.control.connect_media(has_media);
+    if (has_cassette) bench.control.insert_cassette({}, bench.now);
+    bench.keys("EXTERNE_DATEN");
+    EXPECT_EQ(bench.row(19), keys);
+  }
+}
+
+TEST_F(ExternalData, D_109_ADeviceThatIsTakenAwayAtThePromptIsMissedWhenItIsToWork) {
+  bench.keys("2");
+  bench.control.eject_cassette();
+  bench.keys("1 ENTER");
+  EXPECT_THAT(bench.row(18), HasSubstr("Keine Kassette eingelegt."));
+  EXPECT_FALSE(bench.control.is_busy());
 }
 
 }  // namespace

@@ -204,5 +204,17 @@ TEST(Hand, D_13_StartIsIgnoredInsideIstwertAndMenuKeepsTheValues) {
   EXPECT_EQ(bench.monitor(4).substr(51), "Z  +0040.000");
 }
 
+TEST(Hand, SCR_010_ACounterBehindTheLargestWordKeepsItsPlace) {
+  Bench bench;
+  bench.keys("HAND ISTWERT MINUS_Y");
+  bench.type("-9999.9");
+  bench.keys("ISTWERT MINUS_Y START");
+  ASSERT_TRUE(bench.run_until([&] { return bench.istwert(1) < -10'000; }, 20'000));
+  bench.keys("STOP");
+  ASSERT_TRUE(bench.run_to_rest());
+  EXPECT_TRUE(bench.monitor(3).substr(51).starts_with("Y -100")) << bench.monitor(3);
+  EXPECT_EQ(bench.monitor(3).size(), bench.monitor(2).size()) << "X and Y end in the same column";
+}
+
 }  // namespace
 }  // namespace cnclab::panel

@@ -339,5 +339,14 @@ TEST(HandInput, DEC_27_AMachineThatRequiresAReferenceMovesOnlyByHand) {
   EXPECT_GT(bench.istwert(0), 0);
 }
 
+TEST(HandInput, DEC_01_AnErrorOfTheLineSpeaksOfItsBlock) {
+  Bench bench;
+  bench.keys("HANDEINGABE 1 1 ENTER 6 0 0 START");
+  ASSERT_TRUE(bench.run_to_rest());
+  bench.keys("MENU HANDEINGABE 1 0 ENTER 5 START");
+  ASSERT_TRUE(bench.run_to_rest());
+  EXPECT_TRUE(bench.row(18).starts_with("Der Satz: G10 rundet nur zwischen zwei G01 der Ebene.")) << bench.row(18);
+}
+
 }  // namespace
 }  // namespace cnclab::panel

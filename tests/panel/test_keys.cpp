@@ -258,6 +258,7 @@ TEST(Keys, DEC_01_EveryPlaceHasASentenceAndItsKeysBelow) {
       Bench::Setup setup{.tape = std::string(kBild7)};
       setup.settings.tongue = tongue;
       Bench bench(setup);
+      bench.control.connect_media(true);  // a device that is not there is not listed
       bench.keys(scene.keys);
       bench.run_for(10);
       const std::string sentence = bench.row(18) + " " + bench.row(19);
@@ -411,6 +412,23 @@ TEST(Keys, ChordsOpenTheServiceModesExceptOnTheLabsMachine) {
   EXPECT_FALSE(lab.row(18).empty());
   lab.keys("ENTER+RESET");
   EXPECT_EQ(lab.control.mode(), Mode::menu) << "DEC-39";
+}
+
+TEST(Keys, DEC_01_INS_002_BetweenLongSentencesTheNamesOfAllKeysHaveRoom) {
+  Settings english;
+  english.tongue = language::Tongue::english;
+  Bench bench({.settings = english});
+  bench.keys("HAND");
+  bench.side.bar = std::string(90, 'b').replace(60, 1, " ");
+  bench.side.notice = std::string(90, 'n').replace(60, 1, " ");
+  std::string rows;
+  for (int row = 21; row < 24; ++row) rows += bench.row(row) + "\n";
+  for (const char* name : {"±X ±Y ±Z", "START", "STOP", "REFERENZ", "ISTWERT", "FRÄSER", "KÜHLMITTEL", "HANDEINGABE",
+                           "TEACH IN", "MENU", "? all keys"})
+    EXPECT_TRUE(rows.contains(name)) << name << " is not in\n" << rows;
+  bench.side.bar.clear();
+  bench.side.notice.clear();
+  EXPECT_TRUE(bench.row(19).contains("choose directions")) << "with room they say what they do: " << bench.row(19);
 }
 
 }  // namespace

@@ -167,6 +167,36 @@ TEST(LabMachine, DEC_27_UnreferencedOnlyHandbetriebAndReferenceMoveWhereItIsRequ
   EXPECT_GT(bench.istwert(0), 0) << "HANDBETRIEB moves";
 }
 
+TEST(LabMachine, AUTH_010_DEC_01_ThatTheDrivesAreOffIsToldBeforeAndAtEveryKeyThatWouldStartSomething) {
+  constexpr std::string_view kOff =
+      "Die Maschine ist abgeschaltet: erst muss die Lehrkraft sie einschalten (power-on).";
+  Bench bench({.tape = "P0001N001G11F1000N002G01X+1000%", .is_lab_machine = true});
+  ASSERT_TRUE(bench.channel->command(machine::PowerOff{}));
+  bench.run_for(20);
+  const auto says = [&](const char* keys) {
+    bench.keys(keys);
+    bench.run_for(100);
+    const std::string said = bench.row(18) + " " + bench.row(19);
+    return said.starts_with(kOff.substr(0, 78)) ? "" : said;
+  };
+  EXPECT_EQ(says(""), "") << "in the menu";
+  EXPECT_EQ(says("HAND"), "");
+  for (const char* keys : {"FRAESER", "KUEHLMITTEL", "PLUS_X START", "PLUS_X REFERENZ"}) {
+    EXPECT_EQ(says(keys), "") << keys;
+    bench.keys("STOP");
+  }
+  EXPECT_EQ(says("MENU AUTOMAT ENTER ENTER"), "");
+  EXPECT_EQ(says("START"), "");
+  EXPECT_EQ(says("MENU HANDEINGABE 1 1 ENTER 1 0 0 0 START"), "");
+  EXPECT_EQ(bench.snapshot().dropped, 0U) << "nothing was ordered of a machine that could not do it";
+  ASSERT_TRUE(bench.channel->command(machine::PowerOn{}));
+  bench.run_for(20);
+  bench.keys("MENU HAND FRAESER");
+  bench.run_for(20);
+  EXPECT_NE(bench.snapshot().spindle, geometry::SpindleTurn::off);
+  EXPECT_FALSE(bench.row(18).contains("abgeschaltet")) << bench.row(18);
+}
+
 /// X has 3 mm to the switch; it is braked for the lost lease at F3000 so near that it meets it.
 class LostLease : public testing::Test {
  protected:

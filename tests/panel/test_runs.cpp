@@ -1,6 +1,7 @@
 // Runs as the machine does them: snapshot at START, abandonment, travel of the lab's machine, loops without motion.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -113,6 +114,44 @@ TEST(Runs, MOD_058_DEC_40_ThePotentiometerScalesAndStopsMotion) {
   bench.run_for(500);
   EXPECT_EQ(bench.snapshot().speed_mm_per_min, 0);
   EXPECT_TRUE(bench.control.is_running());
+}
+
+TEST(Runs, SCR_042_DEC_40_TheWindowShowsTheBlockThatWaitsForThePotentiometer) {
+  Bench bench({.tape = "P0001N001G11F1200N002G17N003G01X+2000N004G01Y+1000%"});
+  bench.control.set_override(0);
+  bench.keys("AUTOMAT ENTER ENTER START");
+  bench.run_for(500);
+  EXPECT_EQ(bench.monitor(8), "N003 G01 X+...2.000 Y.....,... Z.....,... F.... S.... T.. M..");
+  EXPECT_TRUE(bench.row(18).starts_with("P0001 N003 läuft, aber das Potentiometer steht auf 0.")) << bench.row(18);
+  bench.control.set_override(100);
+  ASSERT_TRUE(bench.run_until([&] { return bench.istwert(0) > 1; }));
+  bench.control.set_override(0);
+  bench.run_for(500);
+  EXPECT_TRUE(bench.monitor(8).starts_with("N003")) << "in the middle of its way";
+}
+
+TEST(Runs, SCR_031_ABrokenRunLeavesTheMThatTheMachineHas) {
+  Bench bench({.tape = "P0001N001G11F1200M13N002G01X+90000%"});
+  bench.keys("AUTOMAT ENTER ENTER START");
+  ASSERT_TRUE(bench.run_until([&] { return bench.istwert(0) > 1; }));
+  ASSERT_TRUE(bench.monitor(2).contains("M13")) << bench.monitor(2);
+  bench.channel->latch(true);
+  ASSERT_TRUE(bench.run_to_rest());
+  ASSERT_FALSE(bench.snapshot().coolant);
+  bench.keys("MENU AUTOMAT");
+  EXPECT_TRUE(bench.monitor(2).contains("M12")) << bench.monitor(2);
+}
+
+TEST(Runs, DEC_21_ALongBlockIsJoinedToTheNextWithoutAStop) {
+  Bench bench({.tape = "P0001N001G11F1200N002G01X+100000N003G01X+100000N004G01X-90000N005G01X-90000N006G01Y+9000%"});
+  bench.keys("AUTOMAT ENTER ENTER START");
+  ASSERT_TRUE(bench.run_until([&] { return bench.istwert(0) > 95; }));
+  double slowest = 1200;
+  while (bench.istwert(0) < 105) {
+    bench.run_for(1);
+    slowest = std::min(slowest, bench.snapshot().speed_mm_per_min);
+  }
+  EXPECT_NEAR(slowest, 1200, 1) << "what follows is there before the block ends";
 }
 
 TEST(Runs, TheModalStateAfterMenuIsThatOfTheBlockReallyExecuted) {

@@ -83,6 +83,19 @@ TEST(MachineDataMode, MD_103_106_AChangedDatumActsAtOnce) {
   EXPECT_NEAR(bench.snapshot().speed_mm_per_min, 1200, 1) << "MD 06";
 }
 
+TEST(MachineDataMode, STO_005_AnOlderVersionThatHoldsAgainIsShown) {
+  Bench bench;
+  bench.keys("ENTER+RESET ENTER ENTER ENTER ENTER ENTER");
+  ASSERT_TRUE(bench.monitor(4).contains("3000")) << bench.monitor(4);
+  machine::MachineData older;
+  ASSERT_TRUE(older.set(6, 2500));
+  bench.control.replace_data(older);
+  EXPECT_TRUE(bench.monitor(4).contains("2500")) << bench.monitor(4);
+  bench.type("12");
+  bench.control.replace_data({});
+  EXPECT_TRUE(bench.monitor(4).contains("0012")) << "what is being typed stays: " << bench.monitor(4);
+}
+
 TEST(MachineDataMode, EDIT_027_WithoutTheBeeperStoringIsSilent) {
   Bench bench;
   bench.keys("ENTER+RESET");

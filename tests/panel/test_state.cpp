@@ -3,6 +3,7 @@
 #include <rapidcheck/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <random>
 
 #include "bench.hpp"
@@ -36,7 +37,7 @@ constexpr Kept kKept[] = {
     {"automat block", "AUTOMAT ENTER CLEAR", "3"},
     {"automat ready", "AUTOMAT ENTER ENTER", ""},
     {"erase prompt", "SPEICHER_LOESCHEN 4 ENTER", "1"},
-    {"in preparation", "EXTERNE_DATEN", ""},
+    {"external data", "EXTERNE_DATEN", ""},
     {"hand", "HAND", ""},
     {"hand, actual value", "HAND ISTWERT", ""},
     {"hand input", "HANDEINGABE", "9"},
@@ -69,6 +70,74 @@ TEST(State, SEAT_002_EveryScreenComesBackAndTypingGoesOn) {
   }
 }
 
+TEST(State, SEAT_002_TheDeviceOfExternalDataAndItsPromptComeBack) {
+  Bench before({.tape = std::string(kBild7)});
+  before.control.insert_cassette({}, before.now);
+  before.keys("EXTERNE_DATEN 6 SIGN");
+  before.type("12");
+  const auto restored = [&](bool with_cassette) {
+    auto after = std::make_unique<Bench>(Bench::Setup{.tape = std::string(kBild7)});
+    after->control.restore_state(before.control.save_state());
+    if (with_cassette) after->control.insert_cassette({}, after->now);
+    after->run_for(10);
+    return after;
+  };
+  const auto after = restored(true);
+  EXPECT_EQ(monitor_of(*after), monitor_of(before));
+  after->type("3");
+  EXPECT_TRUE(after->monitor(8).contains("□0123")) << "typing goes on: " << after->monitor(8);
+  const auto without = restored(false);
+  without->keys("ENTER");
+  EXPECT_TRUE(without->row(18).starts_with("Keine Kassette eingelegt.")) << without->row(18);
+  EXPECT_FALSE(without->control.is_busy());
+}
+
+TEST(State, SEAT_002_CForEverythingHasToBePressedAgain) {
+  Bench before({.tape = std::string(kBild7)});
+  before.control.insert_cassette({}, before.now);
+  before.keys("EXTERNE_DATEN 6 CLEAR");
+  Bench after({.tape = std::string(kBild7)});
+  after.control.insert_cassette({}, after.now);
+  after.control.restore_state(before.control.save_state());
+  after.keys("ENTER");
+  EXPECT_FALSE(after.control.recorder_runs()) << "a whole memory would replace all programs";
+}
+
+/// Functions that leave spindle or coolant on, and others.
+struct KeptM {
+  std::string_view m, shown;
+};
+
+TEST(State, SEAT_004_TheMOfTheStatusLineComesBackAsTheMachineIs) {
+  for (const auto& [m, shown] : {KeptM{"03", "M12"}, {"04", "M12"}, {"08", "M12"}, {"13", "M12"}, {"05", "M05"}}) {
+    SCOPED_TRACE(std::string(m));
+    Bench before;
+    before.keys("HANDEINGABE 1 1 ENTER ENTER ENTER ENTER");
+    before.type(m);
+    before.keys("START");
+    ASSERT_TRUE(before.run_to_rest());
+    ASSERT_TRUE(before.monitor(3).contains("M" + std::string(m))) << before.monitor(3);
+    Bench after;
+    after.control.restore_state(before.control.save_state());
+    after.run_for(10);
+    EXPECT_TRUE(after.monitor(3).contains(shown)) << after.monitor(3);
+  }
+}
+
+TEST(State, SEAT_002_ACounterBehindTheLargestWordComesBack) {
+  Bench before;
+  before.keys("HAND ISTWERT PLUS_X");
+  before.type("9999.9");
+  before.keys("ISTWERT PLUS_X START");
+  ASSERT_TRUE(before.run_until([&] { return before.istwert(0) > 10'005; }, 20'000));
+  before.keys("STOP");
+  ASSERT_TRUE(before.run_to_rest());
+  Bench after;
+  after.control.restore_state(before.control.save_state());
+  after.run_for(20);
+  EXPECT_NEAR(after.istwert(0), before.istwert(0), 1e-9);
+}
+
 TEST(State, SEAT_004_ModalStateIstwertAndPotentiometerComeBackInStop) {
   Bench before({.tape = "P0001N001G90N002G01X+12500F600T03M03N003G01X+99000%"});
   before.control.set_override(80);
@@ -81,7 +150,7 @@ TEST(State, SEAT_004_ModalStateIstwertAndPotentiometerComeBackInStop) {
   after.run_for(20);
   EXPECT_FALSE(after.control.is_running());
   EXPECT_EQ(after.control.override_percent(), 80);
-  EXPECT_TRUE(after.monitor(2).contains("G90 F0600 S0000 T03 M03")) << after.monitor(2);
+  EXPECT_TRUE(after.monitor(2).contains("G90 F0600 S0000 T03 M12")) << after.monitor(2);
   EXPECT_TRUE(after.monitor(2).contains("X  +0012.5")) << after.monitor(2);
   EXPECT_EQ(after.snapshot().spindle, geometry::SpindleTurn::off);
 }

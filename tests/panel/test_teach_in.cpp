@@ -243,5 +243,44 @@ TEST(TeachIn, DEC_07_FullMemoryLosesNothing) {
   EXPECT_EQ(bench.monitor(6), line) << "what was taught still stands there";
 }
 
+TEST(TeachIn, SCR_011_MOD_041_APlaceThatNoWordHoldsIsToldAndNotStored) {
+  Bench bench;
+  bench.keys("HANDEINGABE");
+  bench.type("90");
+  bench.keys("START");
+  ASSERT_TRUE(bench.run_to_rest());
+  bench.keys("HAND ISTWERT PLUS_X");
+  bench.type("9999.9");
+  bench.keys("ISTWERT TEACH_IN ENTER");
+  jog(bench, "PLUS_X", 0, 5);
+  EXPECT_EQ(bench.monitor(6), "N001 G01 X.....,... Y.....,... Z.....,... F.... S.... T.. M..");
+  EXPECT_TRUE(bench.row(18).starts_with("Der Istwert X ist größer als jedes Wort")) << bench.row(18);
+  bench.keys("EINGABE");
+  EXPECT_EQ(bench.stores(), 0);
+  bench.keys("HAND ISTWERT PLUS_X 1 0 ISTWERT TEACH_IN ENTER");
+  jog(bench, "PLUS_X", 0, 5);
+  bench.keys("EINGABE");
+  EXPECT_EQ(tape_of(bench, 1), "N001G01X+" + um(bench.istwert(0)) + "Y+0Z+0 ") << "the remedy that was named";
+}
+
+TEST(TeachIn, MOD_041_MOD_043_UnderG90AndG46ThePlaceIsTheProgrammedOne) {
+  Bench bench({.tape = "P0000T001R+5000L+2000%"});
+  for (const char* keys : {"HANDEINGABE 1 1 ENTER 6 0 0 ENTER ENTER 0 1 START", "MENU HANDEINGABE 9 0 START",
+                           "MENU HANDEINGABE 4 6 START", "MENU HANDEINGABE 0 1 ENTER ENTER ENTER 1 0 START"}) {
+    bench.keys(keys);
+    ASSERT_TRUE(bench.run_to_rest()) << keys;
+  }
+  ASSERT_EQ(bench.istwert(2), 12) << "programmed 10, the tool is 2 longer";
+  bench.keys("MENU TEACH_IN ENTER");
+  jog(bench, "PLUS_Z", 2, 5);
+  bench.keys("EINGABE");
+  const double taught = bench.istwert(2);
+  EXPECT_EQ(tape_of(bench, 1), "N001G01X+0Y+0Z+" + um(taught - 2) + " ");
+  jog(bench, "MINUS_Z", 2, 8);
+  bench.keys("MENU AUTOMAT ENTER ENTER START");
+  ASSERT_TRUE(bench.run_to_rest());
+  EXPECT_NEAR(bench.istwert(2), taught, 1e-9) << "the same place again, G46 still in force";
+}
+
 }  // namespace
 }  // namespace cnclab::panel

@@ -158,5 +158,33 @@ TEST(DryRunContours, ThatCannotBeFollowed_DEC09_D71) {
   }
 }
 
+struct MeasureRow {
+  const char* name;
+  std::string contour;
+  std::string_view sentence;
+};
+
+TEST(DryRunContours, DEC_01_DEC_09_SentencesNameWhatWasMeasured) {
+  const std::vector<MeasureRow> rows{
+      {"an arc smaller than the tool",
+       "N003G41N004G01X+10000N005G01X+20000N006G03X+0Y+6000I+0J+3000N007G01X-20000N008G40N009G01X-9000",
+       "R 3.000: Innenbogen zu klein für das Werkzeug, richtig: R >= 5.000. Kleineres nehmen."},
+      {"a step shorter than the tool",
+       "N003G41N004G01X+10000N005G01X+20000N006G01Y+2000N007G01X-20000N008G40N009G01X-9000",
+       "Weg 2.000 mm: zu kurz für das Werkzeug, liefe rückwärts, richtig: >= 5.000 mm. Kontur ändern."},
+      {"a way that G44 shortens by more than it is", "N003G44N004G01X+3000",
+       "Weg 3.000 mm: zu kurz für das Werkzeug, liefe rückwärts, richtig: >= 5.000 mm. Kontur ändern."},
+      {"a corner with too large a rounding", "N003G01X+6000N004G10R+8000N005G01Y+20000",
+       "Gerade 6.000 mm: zu kurz für die Rundung, richtig: >= 8.000 mm. R verkleinern."},
+  };
+  for (const MeasureRow& row : rows) {
+    SCOPED_TRACE(row.name);
+    const std::string tape = "P0000T001R+5000L+0\nP0001N001G11F1000T01N002G17" + row.contour + "%";
+    const auto errors = dry_run(programs_of(tape), wide_settings(), {}, 100'000);
+    ASSERT_EQ(errors.size(), 1U);
+    EXPECT_EQ(language::message_of(errors.front(), language::Tongue::german), row.sentence);
+  }
+}
+
 }  // namespace
 }  // namespace cnclab::program

@@ -100,6 +100,12 @@ TEST(ServerStart, a_configuration_that_is_none_is_refused) {
       {"[server]\ndata = '/srv/übung'\n", "lab.toml:2: letters beyond a-z need double"},
       {"[server]\ndata = \"/srv/\xFC\"\n", "lab.toml:2: this letter is no UTF-8"},
       {"[lab]\nlanguage = \"\"\"de\"\"\"\n", "lab.toml:2: a text stands on one line"},
+      {"[server]\n\nlisten = \"localhost:3300\"\n", "lab.toml:3: 'listen' must be an address and a port"},
+      {"[server]\nmetrics = \"9100\"\n", "lab.toml:2: 'metrics' must be an address and a port"},
+      {"[dnc]\nlisten = \"127.0.0.1\"\n", "lab.toml:2: 'listen' must be an address and a port"},
+      {"[dnc]\ndevice = \"/dev/ttyUSB0\"\n", "lab.toml:2: 'device' needs 'station'"},
+      {"[lab]\nsilence_manual_ms = 50\n", "lab.toml:2: 'silence_manual_ms' must be a number from 100 to 300"},
+      {"[workpiece]\nsize_mm = [1001, 80, 30]\n", "lab.toml:2: 'size_mm' must be three lengths from 1 to 1000 mm"},
   };
   for (const auto& [configuration, expected] : rows) {
     const TemporaryFolder folder;

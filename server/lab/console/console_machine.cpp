@@ -88,6 +88,7 @@ void Console::status(const Reply& reply) const {
   status.set_lease(static_cast<double>(static_cast<std::uint64_t>(authority.newest())));
   status.set_halted_by(authority.halted_by(reply.tongue));
   status.set_shown(static_cast<std::uint32_t>(lab_.shown_station_));
+  status.set_runs_lost(static_cast<double>(lab_.runs_lost_));
   fill_machine(*status.mutable_machine(), lab_.machine_.snapshot(), authority);
   for (const int number : lab_.machine_.damaged_data())
     status.mutable_machine()->add_damaged_data(static_cast<std::uint32_t>(number));

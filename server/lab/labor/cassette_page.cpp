@@ -66,10 +66,10 @@ CassetteRows rows_of(const CassettePage& page, language::Tongue tongue) {
     case CassettePage::Step::acts:
       break;
   }
-  CassetteRows rows{
-      .heading = say("Kassette", "Cassette"),
-      .lines = {page.line},
-      .keys = say("1-7 wählt   C zurück   LABOR zur Steuerung", "1-7 choose   C back   LABOR to the control")};
+  CassetteRows rows{.heading = say("Kassette", "Cassette"),
+                    .lines = {page.line},
+                    .keys = (page.is_inserted ? "1-7" : "1,6,7") +
+                            say(" wählt   C zurück   LABOR zur Steuerung", " choose   C back   LABOR to the control")};
   rows.lines.push_back(page.is_inserted ? say("1 auswerfen  2 zurückspulen  3 vorspulen  4 Stop  5 Zähler auf 000",
                                               "1 eject  2 rewind  3 wind on  4 stop  5 counter to 000")
                                         : say("1 in den Rekorder einlegen", "1 put into the recorder"));

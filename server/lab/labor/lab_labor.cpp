@@ -104,7 +104,8 @@ void Lab::deliver(Desk& desk, const std::string& message) {
   const panel::WallClock at = wall_clock(clock_.unix_ms());
   desk.messages.push_front(fmt::format("{:02}:{:02}  {}", at.hour, at.minute, message));
   if (desk.messages.size() > kMessagesKept) desk.messages.pop_back();
-  note(desk, message);
+  if (desk.is_seated()) return note(desk, message);
+  desk.unread = message;  // its eight seconds begin when somebody is there to read it
 }
 
 void Lab::choose_language(const DeskPtr& desk, language::Tongue tongue) {

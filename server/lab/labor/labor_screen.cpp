@@ -56,6 +56,14 @@ std::string page_of(std::size_t first, std::size_t lines, bool german) {
                      std::max<std::size_t>(1, (lines + kPage - 1) / kPage));
 }
 
+/// "1-4", "1": the digits of the lines that stand there.
+std::string digits_of(std::size_t first, std::size_t lines) {
+  const std::size_t count = std::min(LaborMenu::kLines, lines - std::min(first, lines));
+  return count > 1 ? fmt::format("1-{}", count) : "1";
+}
+
+bool has_pages(std::size_t lines) { return lines > LaborMenu::kLines; }
+
 std::vector<std::string> numbered(const std::vector<std::string>& lines, std::size_t first, bool with_digits) {
   std::vector<std::string> shown;
   for (std::size_t i = 0; i < LaborMenu::kLines && first + i < lines.size(); ++i)
@@ -84,7 +92,9 @@ struct Layout {
                   say("7 Abmelden", "7 Log out")};
     rows.note = say("Das Labor zeichnet Tasten, Programmänderungen, Läufe und Freigaben auf.",
                     "The lab records keys, changes of programs, runs and grants.");
-    rows.keys = say("1-7 wählt   C oder LABOR: zurück zur Steuerung", "1-7 choose   C or LABOR: back to the control");
+    rows.keys = std::string(facilities.can_print_screen ? "1-4" : "1-3") + (facilities.has_cassettes ? ",5-7" : ",6-7");
+    if (facilities.can_print_screen && facilities.has_cassettes) rows.keys = "1-7";
+    rows.keys += say(" wählt   C oder LABOR: zurück zur Steuerung", " choose   C or LABOR: back to the control");
     return rows;
   }
 
@@ -123,8 +133,10 @@ struct Layout {
     std::vector<std::string> lines;
     for (const LaborVersion& version : page.versions) lines.push_back(version_line(version, page.of, german));
     rows.lines = numbered(lines, page.first, true);
-    rows.keys = say("1-4 zurückholen   ↓ ältere   +/- jüngere   → zehn Seiten   C zurück",
-                    "1-4 bring back   ↓ older   +/- newer   → ten pages   C back");
+    rows.keys = digits_of(page.first, page.versions.size()) + say(" zurückholen   ", " bring back   ");
+    if (has_pages(page.versions.size()))
+      rows.keys += say("↓ ältere   +/- jüngere   → zehn Seiten   ", "↓ older   +/- newer   → ten pages   ");
+    rows.keys += say("C zurück", "C back");
     return rows;
   }
 
@@ -160,10 +172,13 @@ struct Layout {
         rows.lines = {say("Es gibt noch keine.", "There is none.")};
         break;
     }
-    rows.keys = std::string(chooses ? say("1-4 wählt   EINGABE neue   ", "1-4 choose   EINGABE new   ") : "") +
-                say("↓ weiter   +/- zurückblättern   C zurück", "↓ on   +/- one page back   C back");
-    if (page.lines.empty()) return rows;
-    rows.heading += ", " + page_of(page.first, page.lines.size(), german);
+    const std::size_t lines = page.lines.size();
+    if (chooses && lines > 0) rows.keys += digits_of(page.first, lines) + say(" wählt   ", " choose   ");
+    if (chooses) rows.keys += say("EINGABE neue   ", "EINGABE new   ");
+    if (has_pages(lines)) rows.keys += say("↓ weiter   +/- zurückblättern   ", "↓ on   +/- one page back   ");
+    rows.keys += say("C zurück", "C back");
+    if (lines == 0) return rows;
+    rows.heading += ", " + page_of(page.first, lines, german);
     rows.lines = numbered(page.lines, page.first, chooses);
     return rows;
   }

@@ -1,5 +1,6 @@
 // What the machines do: each run is recorded, and told where the tool does wrong.
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include "lab/lab.hpp"
 
@@ -34,6 +35,22 @@ std::string_view name_of(machine::StopCause cause) {
       return "lease_expired";
     case StopCause::error:
       return "error";
+  }
+  return "";
+}
+
+std::string_view name_of(db::FailureKind kind) {
+  switch (kind) {
+    case db::FailureKind::locked:
+      return "database locked";
+    case db::FailureKind::full:
+      return "disk full";
+    case db::FailureKind::damaged:
+      return "database damaged";
+    case db::FailureKind::disk:
+      return "disk not writable";
+    case db::FailureKind::refused:
+      return "refused by the database";
   }
   return "";
 }
@@ -83,14 +100,24 @@ void Lab::begin_recording(const DeskPtr& desk, RunRecorder& recorder,
   const int program = order ? order->start.program : situation.program;
   const int block = order ? order->start.block : situation.block;
   const Epoch lease = desk->on_lab_machine ? authority_.newest() : Epoch{};
+  const std::string what = fmt::format("P{:04} N{:03} {}", program, block, desk->on_lab_machine ? "lab" : "training");
   recorder.begin({desk->person.id, desk->station, static_cast<std::uint64_t>(lease), program, block, clock_.unix_ms(),
                   order,
                   desk->on_lab_machine ? machine_.data()
                   : order              ? order->data
                                        : data,
-                  hand});
-  journal_.write("run", fmt::format("P{:04} N{:03} {}", program, block, desk->on_lab_machine ? "lab" : "training"),
-                 desk->station, desk->person.name, lease);
+                  hand, loss_teller(what, *desk, lease)});
+  journal_.write("run", what, desk->station, desk->person.name, lease);
+}
+
+std::function<void(const db::StoreError&)> Lab::loss_teller(const std::string& what, const Desk& desk, Epoch lease) {
+  return [this, alive = alive_, what, station = desk.station, student = desk.person.name,
+          lease](const db::StoreError& error) {
+    spdlog::error("{}: run {} is not recorded, or not wholly: {} ({})", student, what, error.text, error.detail);
+    if (!*alive) return;
+    ++runs_lost_;
+    journal_.write("run_lost", fmt::format("{}: {}", what, name_of(error.kind)), station, student, lease);
+  };
 }
 
 void Lab::end_recording(const DeskPtr& desk, RunRecorder& recorder, machine::StopCause cause) {

@@ -2,7 +2,6 @@
 #include "lab/runs/run_recorder.hpp"
 
 #include <fmt/format.h>
-#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <bit>
@@ -116,17 +115,6 @@ bool begins_by_hand(const machine::TracePoint& point) { return point.levels.by_h
 
 }  // namespace
 
-namespace {
-
-/// What the store could not take of a record is gone, and the record with it (STO-009): the end that comes later, with
-/// room again, must not make it look whole.
-void tell_loss(const std::expected<void, db::StoreError>& result) {
-  if (!result)
-    spdlog::error("a run is not recorded, or not wholly: {} ({})", result.error().text, result.error().detail);
-}
-
-}  // namespace
-
 struct RunRecorder::Run {
   std::optional<std::int64_t> id;  ///< known once the store has answered
   std::uint64_t ticks = 0;
@@ -135,7 +123,15 @@ struct RunRecorder::Run {
   TrajectoryDigest digest;
   machine::TickLevels levels;  ///< of the last tick
   std::vector<db::RunEvent> events;
+  std::function<void(const db::StoreError&)> on_loss;  ///< empty once it was called
 };
+
+std::function<void(const RunRecorder::Answer&)> RunRecorder::watching(const std::shared_ptr<Run>& run) {
+  return [run](const Answer& answer) {
+    if (answer) return;
+    if (const auto tell = std::exchange(run->on_loss, nullptr)) tell(answer.error());
+  };
+}
 
 RunRecorder::RunRecorder(db::Store& store, std::shared_ptr<machine::Channel> channel, Keeps keeps)
     : store_(store), channel_(std::move(channel)), keeps_(keeps) {
@@ -144,6 +140,7 @@ RunRecorder::RunRecorder(db::Store& store, std::shared_ptr<machine::Channel> cha
 
 void RunRecorder::begin(const RunStart& start) {
   run_ = std::make_shared<Run>();
+  run_->on_loss = start.on_loss;
   order_ = start.order;
   db::RunRecord record;
   record.person = start.person;
@@ -172,7 +169,7 @@ void RunRecorder::begin(const RunStart& start) {
         run->id = database.begin_run(record);
         database.forget_old_traces(kTracesKept);
       },
-      tell_loss);
+      watching(run_));
 }
 
 bool RunRecorder::has_hand_start() const { return std::ranges::any_of(arrived_, begins_by_hand); }
@@ -210,7 +207,8 @@ void RunRecorder::take(const machine::TracePoint& point) {
   if (is_first || now.inputs_found != was.inputs) note("inputs", now.inputs_found);
   if (now.stops != 0) note("stop", now.stops);
   if (now.go) note("go", 1);
-  for (int i = 0; i < now.resumptions; ++i) note("resume", now.resumed_with ? 1 : 0);
+  for (std::uint64_t number = now.resumption - now.resumptions; number < now.resumption; ++number)
+    note("resume", channel_->answer_at_resumption(number + 1) ? 1 : 0);
   if (begins_by_hand(point)) note(now.is_reference ? "reference" : "jog", hand_value(now.by_hand));
   if (now.inputs != now.inputs_found) note("inputs", now.inputs);
   run_->levels = now;
@@ -229,7 +227,7 @@ void RunRecorder::flush() {
        data = pack_trace(points_)](db::Database& database) {
         if (run->id) database.add_trace(*run->id, first, data);
       },
-      tell_loss);
+      watching(run_));
   points_.clear();
 }
 
@@ -239,7 +237,7 @@ void RunRecorder::flush_events() {
       [run = run_, events = std::exchange(run_->events, {})](db::Database& database) {
         if (run->id) database.add_run_events(*run->id, events);
       },
-      tell_loss);
+      watching(run_));
 }
 
 void RunRecorder::end(const std::string& ended) {
@@ -257,10 +255,15 @@ void RunRecorder::end(const std::string& ended) {
   const bool is_whole = (order_ != nullptr || is_by_hand_) && run_->lost == 0 && run_->noted <= kMostEvents;
   if (is_whole) record.digest = run_->digest.text();
   store_.run(
-      [run = run_, record](db::Database& database) {
-        if (run->id) database.end_run(*run->id, record);
+      [run = run_, record, noted = run_->noted](db::Database& database) mutable {
+        if (!run->id) return;
+        if (record.digest.empty() || database.run_events(*run->id).size() == noted)
+          return database.end_run(*run->id, record);
+        record.digest.clear();
+        record.ended += " (not recorded wholly)";
+        database.end_run(*run->id, record);
       },
-      tell_loss);
+      watching(run_));
   run_.reset();
   order_.reset();
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,6 +31,8 @@ struct RunStart {
   std::shared_ptr<const panel::RunOrder> order;  ///< nullptr: motion by hand
   machine::MachineData machine_data;             ///< of the machine itself: its travel
   std::optional<HandStart> hand{};               ///< where there is no order
+  /// Called once, by the store's `Post`, where the store could not take the whole record (STO-009).
+  std::function<void(const db::StoreError&)> on_loss{};
 };
 
 /// The steps of a run, boiled down: equal digests mean the same trajectory. FNV-1a over the four positions of each
@@ -75,6 +78,9 @@ class RunRecorder {
 
  private:
   struct Run;
+  using Answer = std::expected<void, db::StoreError>;
+  /// What the store could not take of a record is gone, and the record cannot be played again.
+  [[nodiscard]] static std::function<void(const Answer&)> watching(const std::shared_ptr<Run>& run);
   void take(const machine::TracePoint& point);
   [[nodiscard]] bool is_of_next_run(const machine::TracePoint& point) const;
   void note(const char* kind, double value);

@@ -48,16 +48,20 @@ bool is_on_line(Device device, const ControlState& state) {
   return device == Device::computer_out || device == Device::computer_in || (is_tape && state.port.fitting.is_fitted);
 }
 
+/// Row 18 says what is missing.
+bool is_connected(Device device, ControlState& state) {
+  if (is_fitted(device, state)) return true;
+  const bool is_recorder = device == Device::cassette_out || device == Device::cassette_in;
+  if (state.settings.hints)
+    state.hint = text(is_recorder ? Text::said_no_cassette : Text::said_not_fitted, state.tongue());
+  return false;
+}
+
 void choose_device(ExternalDataMode& mode, ControlState& state, Effect effect, int figure) {
   if (effect == Effect::start) return release_start(mode, state);
   if (effect != Effect::digit || figure < 1) return;
   const auto device = static_cast<Device>(figure);
-  if (!is_fitted(device, state)) {
-    const bool is_recorder = device == Device::cassette_out || device == Device::cassette_in;
-    if (state.settings.hints)
-      state.hint = text(is_recorder ? Text::said_no_cassette : Text::said_not_fitted, state.tongue());
-    return;
-  }
+  if (!is_connected(device, state)) return;
   mode.device = device;
   mode.phase = ExternalDataMode::Phase::program;
   mode.takes_all = mode.adopts_machine_data = false;
@@ -206,6 +210,10 @@ void press_prompt(ExternalDataMode& mode, ControlState& state, Effect effect, in
   if (!mode.takes_all && !mode.program.value)
     return state.complain(ErrorCode::program_missing, std::string(text(Text::said_number_missing, state.tongue())));
   mode.program.typed = 0;
+  if (!is_connected(*mode.device, state)) {
+    end_transfer(mode, {});
+    return;
+  }
   is_output(*mode.device) ? write(mode, state) : read(mode, state);
 }
 
@@ -270,6 +278,10 @@ Place place_of(const ExternalDataMode& mode, const ControlState& state) {
       return Place::external_release;
   }
   return Place::external_device;
+}
+
+bool is_of_use(const ExternalDataMode& mode, const ControlState& state, int figure) {
+  return mode.phase != ExternalDataMode::Phase::device || (figure > 0 && is_fitted(static_cast<Device>(figure), state));
 }
 
 void press(ExternalDataMode& mode, ControlState& state, Effect effect, int figure) {

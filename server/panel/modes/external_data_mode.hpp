@@ -59,6 +59,8 @@ struct ExternalDataMode {
 void close(ExternalDataMode& mode, ControlState& state);
 [[nodiscard]] Place place_of(const ExternalDataMode& mode, const ControlState& state);
 void press(ExternalDataMode& mode, ControlState& state, Effect effect, int figure);
+/// Does the figure choose a device that is connected, or belong to a number?
+[[nodiscard]] bool is_of_use(const ExternalDataMode& mode, const ControlState& state, int figure);
 /// → was released: the cassette's leader is long enough (EXT-012).
 void release_enter(ExternalDataMode& mode, ControlState& state);
 void follow(ExternalDataMode& mode, ControlState& state);

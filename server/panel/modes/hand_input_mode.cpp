@@ -27,9 +27,8 @@ void tell_end(HandInputMode& mode, ControlState& state, const RunEnd& end) {
       mode.is_done = true;
       return;
     case RunEnd::Kind::failed:
-      if (!end.error) return;
-      mark_word(mode, end.error->word);
-      return state.complain(without_place(*end.error));
+      if (end.error) complain_of_line(mode, state, *end.error);
+      return;
     case RunEnd::Kind::broken:
       return tell_break(state, end.cause);
     case RunEnd::Kind::refused:

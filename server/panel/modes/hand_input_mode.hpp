@@ -32,8 +32,9 @@ void draw(const HandInputMode& mode, const ControlState& state, Monitor& monitor
 
 /// START: executes the line, or complains with the marker on the word to blame.
 void execute_line(HandInputMode& mode, ControlState& state);
-/// Puts the marker on the word to blame, else on the function, where the next digit begins another one.
-void mark_word(HandInputMode& mode, char letter);
+/// The marker goes to the word to blame, else to the function, where the next digit begins another one. The line has no
+/// place in a program that could be named; a damaged row of P0000 has.
+void complain_of_line(HandInputMode& mode, ControlState& state, language::Error error);
 /// Shows the words of the function as it stands there; false after a complaint.
 [[nodiscard]] bool show_words(HandInputMode& mode, ControlState& state);
 

@@ -3,7 +3,6 @@
 
 #include "language/check_block.hpp"
 #include "panel/modes/hand_input_mode.hpp"
-#include "panel/run/run_end.hpp"
 #include "panel/run/start_check.hpp"
 
 namespace cnclab::panel {
@@ -15,6 +14,7 @@ using language::ErrorCode;
 
 /// A number that no stored program can have.
 constexpr std::uint16_t kLineProgram = language::kLastProgram + 1;
+constexpr std::uint16_t kLineBlock = 1;
 
 /// D-37: G04, also with an exact stop (G64, BLK-161), and G20 to G23 are not executed here.
 bool is_barred(language::Function function) {
@@ -44,16 +44,18 @@ bool has_fault(HandInputMode& mode, ControlState& state, const language::Block& 
   const language::EntryLimits limits = state.entry_limits();
   const auto checked = language::check_block(block, mode.plane, state.settings.vocabulary, &limits);
   if (checked) return false;
-  mark_word(mode, checked.error().word);
-  state.complain(without_place(checked.error()));
+  complain_of_line(mode, state, checked.error());
   return true;
 }
 
 }  // namespace
 
-void mark_word(HandInputMode& mode, char letter) {
-  mode.line.mark(letter);
+void complain_of_line(HandInputMode& mode, ControlState& state, Error error) {
+  mode.line.mark(error.word);
   if (mode.line.marker() == EntryLine::Marker::function) mode.line.go_to_function();
+  if (error.in_tool_table) return state.complain(error);
+  error.block = kLineBlock;  // it is the block that is wrong, not a program
+  state.complain(error.code, language::message_of(error, state.tongue()));
 }
 
 bool show_words(HandInputMode& mode, ControlState& state) {
@@ -79,7 +81,7 @@ void execute_line(HandInputMode& mode, ControlState& state) {
   if ((!mode.line.words_fit_function() || plane_changed) && !show_words(mode, state)) return;
   if (mode.line.marker() == EntryLine::Marker::function) mode.line.go_to_function();
   language::Block block = mode.line.block();
-  block.number = 1;
+  block.number = kLineBlock;
   const std::size_t words_before = block.words.size();
   drop_program_ends(block);
   const bool has_lost_all = block.words.empty() && words_before > 0;
@@ -104,9 +106,7 @@ void execute_line(HandInputMode& mode, ControlState& state) {
                  .is_single_function = true,
                  .tools = tools_at(state)};
   const auto begun = state.run.begin(state.connection, std::move(order));
-  if (begun) return;
-  mark_word(mode, begun.error().word);
-  state.complain(without_place(begun.error()));
+  if (!begun) complain_of_line(mode, state, begun.error());
 }
 
 }  // namespace cnclab::panel

@@ -110,7 +110,9 @@ bool acts(const ActiveMode& mode, Effect effect) {
                                mode);
 }
 
-bool is_of_use(const ActiveMode& mode, Effect effect) {
+bool is_of_use(const ActiveMode& mode, const ControlState& state, Effect effect, Key key) {
+  const auto* external = std::get_if<ExternalDataMode>(&mode);
+  if (external != nullptr && effect == Effect::digit) return is_of_use(*external, state, digit_of(key).value_or(0));
   const auto* editor = std::get_if<EditorMode>(&mode);
   const bool is_rom = editor != nullptr && editor->is_open && language::is_reserved_for_cycles(editor->number());
   const bool is_change = effect == Effect::store || effect == Effect::erase_block;

@@ -41,8 +41,8 @@ void stored(ActiveMode& mode, ControlState& state, const StoreRequest& request);
 /// parameter (KEY-065).
 [[nodiscard]] bool acts(const ActiveMode& mode, Effect effect);
 /// Is there any use in its key now? Programs of the ROM can be looked at only (DEC-06), and a block is loaded before it
-/// is deleted.
-[[nodiscard]] bool is_of_use(const ActiveMode& mode, Effect effect);
+/// is deleted; a device has to be connected.
+[[nodiscard]] bool is_of_use(const ActiveMode& mode, const ControlState& state, Effect effect, Key key);
 void draw(const ActiveMode& mode, const ControlState& state, Monitor& monitor);
 /// The first block on the screen whose check code did not fit when it was read (ERR-004).
 [[nodiscard]] std::optional<geometry::SourceBlock> damaged_block(const ActiveMode& mode, const ControlState& state);

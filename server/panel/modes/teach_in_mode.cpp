@@ -1,7 +1,9 @@
 // Keys of TEACH IN.
 #include "panel/modes/teach_in_mode.hpp"
 
+#include <algorithm>
 #include <array>
+#include <cstdlib>
 
 #include "language/check_block.hpp"
 #include "panel/modes/line_keys.hpp"
@@ -57,10 +59,19 @@ void press_prompt(TeachInMode& mode, ControlState& state, Effect effect, int fig
   if (effect == Effect::enter) open_program(mode, state);
 }
 
-/// After STOP: what was driven stands in X, Y and Z (MOD-038, MOD-041).
-void fill_position(TeachInMode& mode, const ControlState& state) {
+/// After STOP: what was driven stands in X, Y and Z (MOD-038, MOD-041). A place that no word can hold leaves them
+/// empty, so that it is not stored.
+void fill_position(TeachInMode& mode, ControlState& state) {
   const bool is_absolute = state.modal.dimension == program::Dimension::absolute;
-  const auto words_um = is_absolute ? istwerte_um(state) : way_um_since(mode.reference, state);
+  const auto words_um = is_absolute ? programmed_um(state) : way_um_since(mode.reference, state);
+  const auto beyond =
+      std::ranges::find_if(words_um, [](std::int64_t um) { return std::abs(um) > language::kLargestWord_um; });
+  if (beyond != words_um.end()) {
+    for (const Address axis : kTaughtAxes) mode.line.fill(axis, std::nullopt);
+    const char letter = language::letter(kTaughtAxes.at(static_cast<std::size_t>(beyond - words_um.begin())));
+    state.message.sentence = text(Text::said_istwert_too_large, state.tongue(), {std::string_view(&letter, 1)});
+    return;
+  }
   for (std::size_t axis = 0; axis < kTaughtAxes.size(); ++axis) {
     const bool stays_empty = !is_absolute && words_um[axis] == 0;
     mode.line.fill(kTaughtAxes[axis],

@@ -29,9 +29,15 @@ void begin(HandDriving& driving, ControlState& state, ManualMotion::Kind kind) {
   driving.motion.begin(state.connection, kind, driving.directions);
 }
 
+/// Without current nothing can be switched on; row 18 says so.
+bool may_switch(ControlState& state) {
+  if (are_drives_off(state)) state.hint = drives_off_sentence(state);
+  return state.connection.channel && !are_drives_off(state);
+}
+
 /// D-12: clockwise, or as last programmed; the M of the status line stays.
 void toggle_spindle(ControlState& state) {
-  if (!state.connection.channel) return;
+  if (!may_switch(state)) return;
   const bool is_on = state.machine().spindle != SpindleTurn::off;
   state.modal.spindle = is_on ? SpindleTurn::off : state.last_turn;
   state.is_switching = true;
@@ -40,7 +46,7 @@ void toggle_spindle(ControlState& state) {
 }
 
 void toggle_coolant(ControlState& state) {
-  if (!state.connection.channel) return;
+  if (!may_switch(state)) return;
   state.modal.coolant = !state.machine().coolant;
   state.is_switching = true;
   (void)state.connection.channel->command(machine::SwitchCoolant{state.connection.epoch, state.modal.coolant});

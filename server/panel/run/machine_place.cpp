@@ -48,4 +48,11 @@ std::array<std::int64_t, 3> istwerte_um(const ControlState& state) {
   return um;
 }
 
+std::array<std::int64_t, 3> programmed_um(const ControlState& state) {
+  std::array<std::int64_t, 3> um = istwerte_um(state);
+  for (std::size_t axis = 0; axis < um.size(); ++axis)
+    um[axis] -= std::llround(state.compensation_mm[axis] * kMicrometresPerMm);
+  return um;
+}
+
 }  // namespace cnclab::panel

@@ -24,4 +24,8 @@ namespace cnclab::panel {
 /// What the operator reads of X, Y and Z, in µm.
 [[nodiscard]] std::array<std::int64_t, 3> istwerte_um(const ControlState& state);
 
+/// The words X, Y and Z of a block under G90 that ends here, in µm: what the operator reads, without the offset
+/// of G41 to G46 in which the tool stands, since the block will have it again (MOD-041, MOD-043).
+[[nodiscard]] std::array<std::int64_t, 3> programmed_um(const ControlState& state);
+
 }  // namespace cnclab::panel

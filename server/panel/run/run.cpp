@@ -27,16 +27,6 @@ program::Settings settings_of(const RunOrder& order, bool is_lab_machine) {
   return settings;
 }
 
-double seconds_of(const geometry::PathItem& item) {
-  constexpr double kSecondsPerMinute = 60;
-  if (const auto* line = std::get_if<geometry::Line>(&item.what))
-    return geometry::length_of(*line) / line->feed_mm_per_min * kSecondsPerMinute;
-  if (const auto* arc = std::get_if<geometry::Arc>(&item.what))
-    return geometry::length_of(*arc) / arc->feed_mm_per_min * kSecondsPerMinute;
-  if (const auto* dwell = std::get_if<geometry::Dwell>(&item.what)) return dwell->seconds;
-  return 0;
-}
-
 bool is_alarm(const geometry::PathItem& item) {
   const auto* halt = std::get_if<geometry::Halt>(&item.what);
   return halt != nullptr && halt->signal;
@@ -156,25 +146,26 @@ bool Run::prepare_block() {
 /// Items may come after their block, when the stages know what follows.
 void Run::account_for_items() {
   for (const geometry::PathItem& item : items_) {
-    path_s_ += seconds_of(item);
+    path_s_ += geometry::seconds_at_feed(item);
     if (item.sequence < records_.front().block.sequence || item.sequence > records_.back().block.sequence) continue;
     records_[static_cast<std::size_t>(item.sequence - records_.front().block.sequence)].path_s = path_s_;
   }
 }
 
+/// The block being done does not count, however long it is: at its end what follows has to be there, or it stops there.
 bool Run::is_far_enough_ahead() const {
   if (records_.empty()) return false;
-  const Record* done = record(seen_.finished_sequence);
-  const double done_s = done == nullptr ? 0 : done->path_s;
-  return path_s_ - done_s >= look_ahead_s_ ||
-         records_.back().block.sequence - seen_.finished_sequence >= kMostBlocksAhead;
+  const Record* current = record(std::max(seen_.sequence, seen_.finished_sequence));
+  const double behind_s = path_s_ - (current == nullptr ? 0 : current->path_s);
+  return behind_s >= look_ahead_s_ || records_.back().block.sequence - seen_.finished_sequence >= kMostBlocksAhead;
 }
 
-void Run::feed(Questions questions) {
+bool Run::feed(Questions questions) {
   questions_ = questions;
   has_gone_on_ = false;
   motion::Planner& planner = connection_.channel->planner();
-  for (int budget = kItemsPerPoll; budget > 0; --budget) {
+  int budget = kItemsPerPoll;
+  for (; budget > 0; --budget) {
     if (next_item_ == items_.size()) {
       if (failure_ || source_->ended() || is_far_enough_ahead() || !prepare_block()) break;
       continue;
@@ -184,6 +175,7 @@ void Run::feed(Questions questions) {
   }
   planner.plan();
   if (has_gone_on_) connection_.channel->note_resumption(last_answer_);
+  return budget == 0;
 }
 
 void Run::forget_done_blocks() {
@@ -266,7 +258,9 @@ void Run::feed_replay(Questions questions, std::optional<bool> input_1) {
   if (!is_present() || is_checking()) return;
   look();
   recorded_input_1_ = input_1;
-  feed(questions);
+  // What the lab has looked at several times for may be wanted at the next START: here all of it comes at once.
+  while (feed(questions) && !has_gone_on_) {
+  }
   forget_done_blocks();
 }
 
@@ -302,6 +296,9 @@ geometry::SourceBlock Run::shown_block() const {
   if (const Record* next = next_record()) return next->block.source;
   if (state() == State::between && failure_) return {failure_->program, failure_->block};
   const Record* current = record(seen_.sequence);
+  // Behind a block that is done the next one has begun, also where the potentiometer lets nothing of it move (DEC-40).
+  const bool has_done_all = state() == State::running && seen_.sequence <= seen_.finished_sequence;
+  if (const Record* next = has_done_all ? record(seen_.finished_sequence + 1) : nullptr) current = next;
   if (current == nullptr && !records_.empty()) current = &records_.front();
   return current == nullptr ? geometry::SourceBlock{} : current->block.source;
 }

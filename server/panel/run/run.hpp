@@ -94,9 +94,9 @@ class Run {
   std::optional<RunEnd> poll();
   /// Whether feeding may answer a question for Input 1, or take what the look along a contour has found.
   enum class Questions : std::uint8_t { answered, held };
-  /// As `poll`, but ends nothing: for a replay, whose stops come from its record, and the ticks in which it goes on
-  /// too.
-  /// input_1   as it was found when it counted at once; nothing: as it is now
+  /// As `poll`, but ends nothing, and feeds all that there is: for a replay, whose stops come from its record, and the
+  /// ticks in which it goes on too.
+  /// input_1   as the record answers the next question; nothing: as the machine does
   void feed_replay(Questions questions, std::optional<bool> input_1 = std::nullopt);
 
   /// The newest feeding, or the beginning, has ended a wait.
@@ -146,7 +146,8 @@ class Run {
   void take_answer(bool input_1);
   void guard_travel();
   void guard_tools();
-  void feed(Questions questions = Questions::answered);
+  /// One portion of the path, behind one wait at most. True where there may be more of it at once.
+  bool feed(Questions questions = Questions::answered);
   void forget_done_blocks();
   [[nodiscard]] bool is_far_enough_ahead() const;
   [[nodiscard]] const Record* record(std::uint64_t sequence) const;

@@ -20,11 +20,6 @@ void tell_limit_switch(ControlState& state, Text sentence = Text::said_limit_swi
 
 }  // namespace
 
-language::Error without_place(language::Error error) {
-  error.program = error.block = 0;
-  return error;
-}
-
 void tell_break(ControlState& state, machine::StopCause cause) {
   const bool is_on_switch = state.machine().limit_axis < kAxes.size();
   if (is_on_switch && cause != machine::StopCause::limit_switch) return tell_limit_switch(state);

@@ -14,9 +14,6 @@ namespace cnclab::panel {
   return static_cast<int>(axis) * kColumnsPerAxis;
 }
 
-/// An error of a block that has no place in a program (HANDEINGABE).
-[[nodiscard]] language::Error without_place(language::Error error);
-
 /// Row 18 for what the machine or the lab broke off. An axis that ran onto its switch stands on the monitor's last line
 /// too, whatever had begun to stop it before.
 void tell_break(ControlState& state, machine::StopCause cause);

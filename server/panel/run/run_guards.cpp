@@ -59,19 +59,18 @@ bool Run::may_go_on() {
 }
 
 /// Input 1 for G21 and G23 as it was two blocks before (D-56). A block that cannot begin because its own end depends on
-/// the answer (a compensated way is held back until the next is known) begins with it: then the input counts now.
+/// the answer (a compensated way is held back until the next is known) begins with it: then the input counts now, as
+/// before START.
 bool Run::answer_input() {
   program::Interpreter& interpreter = source_->interpreter();
   const std::optional<std::uint64_t> asked = interpreter.awaited_input();
   if (!asked) return true;
-  const bool nothing_moves_without = run_ != 0 && seen_.run == run_ && is_path_done();
-  if (*asked == 0 || nothing_moves_without) {
-    take_answer(recorded_input_1_.value_or(seen_.input_1));
-    return true;
-  }
-  const std::optional<bool> seen = seen_.run == run_ ? machine::input_1_at_start(seen_, *asked) : std::nullopt;
-  if (seen) take_answer(*seen);
-  return seen.has_value();
+  const bool is_taken_up = run_ != 0 && seen_.run == run_;
+  std::optional<bool> answer = recorded_input_1_;
+  if (!answer && is_taken_up) answer = machine::input_1_at_start(seen_, *asked);
+  if (!answer && (*asked == 0 || (is_taken_up && is_path_done()))) answer = seen_.input_1;
+  if (answer) take_answer(*answer);
+  return answer.has_value();
 }
 
 void Run::take_answer(bool input_1) {

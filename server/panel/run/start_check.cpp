@@ -3,9 +3,19 @@
 
 namespace cnclab::panel {
 
+bool are_drives_off(const ControlState& state) {
+  return state.connection.is_lab_machine && state.machine().state == machine::MotionState::off;
+}
+
+std::string_view drives_off_sentence(const ControlState& state) { return text(Text::said_drives_off, state.tongue()); }
+
 bool may_move(ControlState& state) {
   if (!state.connection.channel) {
     state.hint = text(Text::said_no_machine, state.tongue());
+    return false;
+  }
+  if (are_drives_off(state)) {
+    state.hint = drives_off_sentence(state);
     return false;
   }
   if (!state.apply_data()) {

@@ -7,6 +7,11 @@
 
 namespace cnclab::panel {
 
+/// The lab's machine is connected, and the instructor or the watchdog has switched its drives off.
+[[nodiscard]] bool are_drives_off(const ControlState& state);
+/// What that means, and who can change it.
+[[nodiscard]] std::string_view drives_off_sentence(const ControlState& state);
+
 /// Is a machine connected that stands still with the data that hold now? Row 18 says what is missing.
 [[nodiscard]] bool may_move(ControlState& state);
 /// As `may_move`, for a run: a machine that requires it must have been referenced (DEC-27).

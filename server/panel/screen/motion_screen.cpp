@@ -17,12 +17,14 @@ void draw_start_and_stop(bool is_started, int start_row, Monitor& monitor) {
 }
 
 void draw_istwerte(const machine::Snapshot& machine, Monitor& monitor) {
-  constexpr std::array<std::string_view, 3> kAxes{"X  ", "Y  ", "Z  "};
+  constexpr std::array<std::string_view, 3> kAxes{"X ", "Y ", "Z "};
   constexpr double kUmPerMm = 1000;
+  constexpr std::size_t kWidth = 10;  // a fifth digit takes the place of a blank
   for (std::size_t axis = 0; axis < kAxes.size(); ++axis) {
     const language::Micrometres value{std::llround(machine.istwert_mm[axis] * kUmPerMm)};
-    monitor.write(kIstwertRow + static_cast<int>(axis), kIstwertColumn,
-                  std::string(kAxes[axis]) + language::istwert_text(value));
+    std::string digits = language::istwert_text(value);
+    if (digits.size() < kWidth) digits.insert(0, kWidth - digits.size(), ' ');
+    monitor.write(kIstwertRow + static_cast<int>(axis), kIstwertColumn, std::string(kAxes[axis]) + digits);
   }
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kFrameBottom = 17, kFrameRight = 65;
 constexpr int kSideColumn = 67, kLampColumn = 76;
-constexpr int kSentenceRow = 18, kAllKeysRow = 23;
+constexpr int kSentenceRow = 18, kAllKeysRow = 23, kFirstKeyColumn = 1;
 
 std::string clock_text(const WallClock& clock) {
   return two_digits(clock.hour) + ':' + two_digits(clock.minute) + ':' + two_digits(clock.second) + ' ' +
@@ -103,12 +103,55 @@ std::vector<std::string> halt_rows(const SideView& side, language::Tongue tongue
   return filled_rows(text(Text::side_halt, tongue, {seat + side.halted_by}), columns);
 }
 
-std::string keys_text(const KeyRow& row, language::Tongue tongue) {
-  const std::string help(text(row.help, tongue));
-  if (row.first == Key::PLUS_X) return "±X ±Y ±Z " + help;
-  if (row.first != row.last)
-    return std::string(label_of(row.first)) + "-" + std::string(label_of(row.last)) + " " + help;
-  return std::string(label_of(row.first)) + " " + help;
+/// "EINGABE", "±X ±Y ±Z", "0-9", "1,3-4,7": those of the row's keys that are of use; empty where none is.
+std::string keys_text(const KeyRow& row, const BottomView& view) {
+  std::string keys;
+  Key former = Key::none;  // the last that was of use
+  for (int number = static_cast<int>(row.first); number <= static_cast<int>(row.last); ++number) {
+    const auto key = static_cast<Key>(number);
+    if (!view.lists(row.effect, key)) continue;
+    if (row.first == Key::PLUS_X) return "±X ±Y ±Z";
+    const std::string label(label_of(key));
+    const bool goes_on = former != Key::none && static_cast<int>(former) + 1 == number;
+    if (!goes_on) keys += (keys.empty() ? "" : ",") + label;
+    const bool ends = key == row.last || !view.lists(row.effect, static_cast<Key>(number + 1));
+    if (goes_on && ends) keys += "-" + label;
+    former = key;
+  }
+  return keys;
+}
+
+std::vector<std::string> listed_keys(const BottomView& view, Place place, const Settings& settings, bool with_help) {
+  std::vector<std::string> all;
+  for (const KeyRow& row : key_table()) {
+    if (row.place != place || !has_row(row, settings.vocabulary)) continue;
+    const std::string keys = keys_text(row, view);
+    if (keys.empty()) continue;
+    const std::string help = with_help ? " " + std::string(text(row.help, settings.tongue)) : std::string();
+    all.push_back(keys + help);
+  }
+  return all;
+}
+
+/// Where the keys stand, from `row` on; keys that do not fit above stand beside the last row's own words.
+struct KeyPlace {
+  std::string keys;
+  int row, column;
+};
+std::vector<KeyPlace> laid_out(const std::vector<std::string>& all, int row, std::string_view last_rows_own) {
+  constexpr int kGap = 3;
+  std::vector<KeyPlace> places;
+  int column = kFirstKeyColumn;
+  for (const std::string& keys : all) {
+    const int width = columns_of(keys);
+    if (column > kFirstKeyColumn && column + width > Screen::kColumns) {
+      ++row;
+      column = row == kAllKeysRow ? kFirstKeyColumn + columns_of(last_rows_own) + kGap : kFirstKeyColumn;
+    }
+    places.push_back({keys, row, column});
+    column += width + kGap;
+  }
+  return places;
 }
 
 }  // namespace
@@ -167,8 +210,7 @@ void draw_side(Canvas& canvas, const SideView& side, const Lamps& lamps, languag
 }
 
 void draw_bottom(Canvas& canvas, const BottomView& view, Place place, const Settings& settings) {
-  constexpr int kGap = 3, kFirstColumn = 1;
-  int row = kSentenceRow, column = kFirstColumn;
+  int row = kSentenceRow;
   const auto say = [&](const std::string& sentence) {
     const auto [first, rest] = broken_at(sentence, Screen::kColumns);
     canvas.write(row++, 0, first);
@@ -177,20 +219,12 @@ void draw_bottom(Canvas& canvas, const BottomView& view, Place place, const Sett
   if (!view.bar.empty()) say(view.bar);
   say(view.sentence);
   const std::string_view all_keys = text(Text::all_keys, settings.tongue);
-  canvas.write(kAllKeysRow, kFirstColumn, all_keys);
-  for (const KeyRow& entry : key_table()) {
-    if (entry.place != place || !has_row(entry, settings.vocabulary) || !view.lists(entry.effect)) continue;
-    const std::string keys = keys_text(entry, settings.tongue);
-    const int width = columns_of(keys);
-    if (column > kFirstColumn && column + width > Screen::kColumns) {
-      ++row;
-      // Keys that do not fit above stand beside the last row's own.
-      column = row == kAllKeysRow ? kFirstColumn + columns_of(all_keys) + kGap : kFirstColumn;
-    }
-    if (row > kAllKeysRow) break;
-    canvas.write(row, column, keys);
-    column += width + kGap;
-  }
+  canvas.write(kAllKeysRow, kFirstKeyColumn, all_keys);
+  std::vector<KeyPlace> places = laid_out(listed_keys(view, place, settings, true), row, all_keys);
+  if (!places.empty() && places.back().row > kAllKeysRow)  // between long sentences the names alone
+    places = laid_out(listed_keys(view, place, settings, false), row, all_keys);
+  for (const KeyPlace& at : places)
+    if (at.row <= kAllKeysRow) canvas.write(at.row, at.column, at.keys);
 }
 
 }  // namespace cnclab::panel

@@ -28,9 +28,9 @@ void draw_side(Canvas& canvas, const SideView& side, const Lamps& lamps, languag
 
 /// What rows 18 to 23 say.
 struct BottomView {
-  std::string bar;                    ///< who bars the keyboard: above the sentence; empty if nobody
-  std::string sentence;               ///< what the control waits for or what was wrong
-  std::function<bool(Effect)> lists;  ///< which effects' keys are listed
+  std::string bar;                         ///< who bars the keyboard: above the sentence; empty if nobody
+  std::string sentence;                    ///< what the control waits for or what was wrong
+  std::function<bool(Effect, Key)> lists;  ///< which keys are listed with their effects
 };
 void draw_bottom(Canvas& canvas, const BottomView& view, Place place, const Settings& settings);
 
