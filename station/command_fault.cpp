@@ -91,7 +91,7 @@ std::string usage_of(const CLI::App& command) {
 }
 
 std::string fault_text(const CLI::App& app, const CLI::ParseError& error, Language language) {
-  const std::string message = error.what();
+  std::string message = error.what();
   if (const auto* unfit = dynamic_cast<const UnfitFile*>(&error))
     return message + ": " + std::string(unfit->why().in(language));
   const CLI::App& command = begun(app);

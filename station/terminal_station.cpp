@@ -126,7 +126,7 @@ asio::awaitable<Entered> fill_in(Desk& desk, LoginQuestion question) {
   if (question.refusal && is_final(desk.options, *question.refusal)) {
     co_return std::unexpected(ending_of(*question.refusal, language));
   }
-  LoginForm form(std::move(question), desk.options.seat() != 0, !desk.options.user.empty(), language);
+  LoginForm form(question, desk.options.seat() != 0, !desk.options.user.empty(), language);
   auto first = co_await (edit(desk, form, language) || renew_seats(desk, form));
   co_return std::get<0>(std::move(first));
 }

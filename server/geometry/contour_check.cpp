@@ -14,7 +14,7 @@
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
+#include <ranges>
 #include <tuple>
 #include <type_traits>
 #include <utility>
@@ -146,7 +146,7 @@ void ContourCheck::keep_closed_part() {
 void ContourCheck::drop_repeated(std::vector<Placed>& pieces) {
   const auto trace = [&](std::uint32_t index) { return trace_of(pieces[index].piece, pieces[index].source); };
   std::vector<std::uint32_t> order(pieces.size());
-  std::iota(order.begin(), order.end(), 0U);
+  std::ranges::copy(std::views::iota(std::size_t{0}, order.size()), order.begin());
   std::ranges::sort(order, [&](std::uint32_t a, std::uint32_t b) {
     const auto order_of_traces = trace(a) <=> trace(b);
     return order_of_traces == 0 ? a < b : order_of_traces < 0;

@@ -176,11 +176,11 @@ struct Writer {
     return true;
   }
   bool operator()(const Signal&) const {
-    Object(text, "signal", item.source);
+    const Object signal(text, "signal", item.source);
     return true;
   }
   bool operator()(const End&) const {
-    Object(text, "end", item.source);
+    const Object end(text, "end", item.source);
     return true;
   }
   bool operator()(const SpindleDigits&) const { return false; }

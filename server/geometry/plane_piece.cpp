@@ -112,7 +112,7 @@ PlanePiece piece_of(const Arc& arc, const PlaneAxes& axes, PlaneVector from, Pla
 void append_arc(const Arc& arc, const PlaneAxes& axes, std::vector<PlanePiece>& pieces) {
   const PlaneVector from = in_plane(arc.from, axes), to = in_plane(arc.to, axes), center = in_plane(arc.center, axes);
   const double start_radius = size(from - center), end_radius = size(to - center);
-  const double steps = std::ceil(std::abs(end_radius - start_radius) / kSpiralStep_mm);
+  const auto steps = static_cast<int>(std::ceil(std::abs(end_radius - start_radius) / kSpiralStep_mm));
   if (steps <= 1) {
     pieces.push_back(piece_of(arc, axes, from, to, (start_radius + end_radius) / 2));
     pieces.back().is_circle = from == to;
@@ -120,7 +120,7 @@ void append_arc(const Arc& arc, const PlaneAxes& axes, std::vector<PlanePiece>& 
   }
   const ArcShape shape = shape_of(arc);
   PlaneVector begin = from;
-  for (double step = 1; step <= steps; ++step) {
+  for (int step = 1; step <= steps; ++step) {
     const Point at = point_at(arc, shape, shape.length * step / steps);
     const double radius = std::lerp(start_radius, end_radius, (step - 0.5) / steps);
     const PlaneVector end = in_plane(at, axes);

@@ -11,10 +11,10 @@ namespace {
 constexpr machine::Epoch kTrainingEpoch{1};
 }  // namespace
 
-Desk::Desk(db::Person who, panel::Settings settings, panel::Memory memory, const machine::MachineData& data,
+Desk::Desk(db::Person who, const panel::Settings& settings, panel::Memory memory, const machine::MachineData& data,
            machine::TickThread& ticks, machine::WorkpieceThread& workpieces, db::Store& store)
     : person(std::move(who)),
-      control(std::move(settings), std::move(memory), data),
+      control(settings, std::move(memory), data),
       ticks_(ticks),
       workpieces_(workpieces),
       site_(workpieces.add(control.workpiece())),

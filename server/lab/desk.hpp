@@ -40,7 +40,7 @@ struct Input {
 struct Desk {
   /// Takes part in the tick from now on, and its workpiece in the cutting; throws std::runtime_error when the tick has
   /// no place left. ticks, workpieces, store   outlive the desk
-  Desk(db::Person person, panel::Settings settings, panel::Memory memory, const machine::MachineData& data,
+  Desk(db::Person person, const panel::Settings& settings, panel::Memory memory, const machine::MachineData& data,
        machine::TickThread& ticks, machine::WorkpieceThread& workpieces, db::Store& store);
   ~Desk();
   Desk(const Desk&) = delete;

@@ -132,6 +132,7 @@ void Lab::poll() {
   const std::int64_t now_ns = clock_.monotonic_ns();
   send_beats(now_ns);
   heed_watchdog();
+  tell_late_ticks();
   static_cast<void>(decide(Polled{}, configuration_.tongue));
   settle_machine_data();
   for (const DeskPtr& desk : seats_.list()) {

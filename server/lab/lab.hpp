@@ -220,6 +220,8 @@ class Lab {
   void heard(const VisitPtr& visit, std::uint64_t beat);
   /// The beat stood still and the watchdog has cut the current: the machine stays off until power-on.
   void heed_watchdog();
+  /// Ticks more than 5 ms late are told in the log, at once, so that it shows what else happened then (LOAD-003).
+  void tell_late_ticks();
   /// New data of the machine hold while nobody has it and it stands still.
   void settle_machine_data();
   void keep_epoch();
@@ -275,6 +277,7 @@ class Lab {
   int shown_station_ = 0;             ///< whose screen all see, 0 nobody's (INS-002)
   SerialLines lines_;
   std::uint64_t logins_ = 0;
+  std::uint64_t late_ticks_told_ = 0;
   std::int64_t house_kept_ns_ = 0;  ///< 0: not yet
   int drawn_second_ = -1;
   std::shared_ptr<bool> alive_ = std::make_shared<bool>(true);  ///< late answers of other threads find it gone

@@ -113,6 +113,14 @@ void Lab::heed_watchdog() {
   static_cast<void>(decide(PowerSwitched{false}, configuration_.tongue));
 }
 
+void Lab::tell_late_ticks() {
+  const machine::TickStatistics ticks = ticks_.statistics();
+  const std::uint64_t told = std::exchange(late_ticks_told_, ticks.very_late);
+  if (told == ticks.very_late) return;
+  spdlog::warn("{} more ticks began more than 5 ms late, the longest so far {:.1f} ms: this computer has other work",
+               ticks.very_late - told, static_cast<double>(ticks.longest_delay_ns) / 1e6);
+}
+
 void Lab::settle_machine_data() {
   if (authority_.phase() == Phase::nobody && machine_.settle_data()) journal_.write("machine_data", "new data hold");
 }

@@ -270,7 +270,7 @@ void Lab::resume(const VisitPtr& visit, const v1::Resume& resume) {
   if (visit->kind != v1::CLIENT_KIND_STATION || found == desks.end())
     return refuse(visit, v1::LOGIN_RESULT_TICKET_VOID,
                   say(configuration_.tongue, "Bitte neu anmelden.", "Please log in again."));
-  const DeskPtr desk = *found;
+  const DeskPtr& desk = *found;
   visit->person = desk->person;
   visit->has_media = resume.has_media();
   if (const DeskPtr other = seats_.at(desk->station); other && other != desk) {

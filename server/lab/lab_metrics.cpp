@@ -47,6 +47,7 @@ std::string Lab::metrics() const {
   all.add("commands_refused_total", "counter", "Commands refused for their lease.", snapshot.refused);
   all.add("ticks_total", "counter", "Ticks since the start.", ticks.ticks);
   all.add("ticks_late_total", "counter", "Ticks that began more than 1 ms late.", ticks.late);
+  all.add("ticks_very_late_total", "counter", "Ticks that began more than 5 ms late.", ticks.very_late);
   all.add("tick_longest_delay_seconds", "gauge", "The latest that a tick began.",
           static_cast<double>(ticks.longest_delay_ns) / 1e9);
   all.add("tick_stalls_total", "counter", "Times that the beat stood still and the machine's current was cut.",

@@ -24,11 +24,11 @@ void start_sodium() {
 /// In groups of four, none of them alike to another.
 std::string random_letters(int count) {
   start_sodium();
-  constexpr std::string_view letters = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789";
+  constexpr std::string_view kLetters = "ABCDEFGHJKLMNPQRSTUVWXYZ23456789";
   std::string text;
   for (int i = 0; i < count; ++i) {
     if (i > 0 && i % 4 == 0) text += '-';
-    text += letters[randombytes_uniform(static_cast<std::uint32_t>(letters.size()))];
+    text += kLetters[randombytes_uniform(static_cast<std::uint32_t>(kLetters.size()))];
   }
   return text;
 }

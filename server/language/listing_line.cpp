@@ -4,12 +4,12 @@
 #include <algorithm>
 
 #include "language/block_form.hpp"
+#include "language/tape_cursor.hpp"
 
 namespace cnclab::language {
 
 namespace {
 
-constexpr std::string_view kArrow = "\xE2\x86\x93";  // ↓ in UTF-8
 constexpr std::string_view kDigits = "0123456789";
 constexpr std::string_view kValueCharacters = "+-.,#0123456789";
 constexpr std::string_view kLengthExample = "+...1.500";

@@ -2,7 +2,7 @@
 #include "language/program_collector.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <ranges>
 #include <utility>
 
 namespace cnclab::language {
@@ -91,7 +91,7 @@ ReadProgram ProgramCollector::sorted() const {
     return {.program = {.number = number_, .blocks = {blocks_.begin(), blocks_.end()}},
             .lines = {lines_.begin(), lines_.end()}};
   std::vector<std::size_t> order(blocks_.size());
-  std::iota(order.begin(), order.end(), 0);
+  std::ranges::copy(std::views::iota(std::size_t{0}, order.size()), order.begin());
   std::ranges::sort(order, {}, [&](std::size_t i) { return blocks_[i].number; });
   ReadProgram read{.program = {.number = number_, .blocks = {}}, .lines = {}};
   for (const std::size_t i : order) {

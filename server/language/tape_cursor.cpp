@@ -7,8 +7,7 @@ namespace cnclab::language {
 
 namespace {
 
-constexpr std::size_t kSeparatorLength = 6;          // EXT-052
-constexpr std::string_view kArrow = "\xE2\x86\x93";  // ↓ in UTF-8 (DEC-31)
+constexpr std::size_t kSeparatorLength = 6;  // EXT-052
 
 }  // namespace
 

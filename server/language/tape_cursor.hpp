@@ -11,6 +11,8 @@
 
 namespace cnclab::language {
 
+inline constexpr std::string_view kArrow = "\xE2\x86\x93";  ///< ↓ in UTF-8: a word by parameter in a file (DEC-31)
+
 /// Invariant: `current` is a character 21H..5FH that counts, or kEnd or kSeparator (both below 21H, so never text).
 class TapeCursor {
  public:

@@ -19,6 +19,7 @@ namespace cnclab::machine {
 namespace {
 
 constexpr std::int64_t kPeriod_ns = TickThread::kPeriod.count();
+constexpr std::int64_t kVeryLate_ns = 5 * kPeriod_ns;  // LOAD-003
 constexpr double kPeriod_s = static_cast<double>(kPeriod_ns) / 1e9;
 constexpr int kPriority = 60;  // above ordinary threads, below the kernel's own interrupt threads
 
@@ -62,7 +63,7 @@ struct TickThread::Impl {
   std::array<std::shared_ptr<Channel>, kMostChannels> owners;  ///< lab thread
   std::atomic<std::uint64_t> rounds_begun{0}, rounds_done{0};
   std::atomic<bool> is_ending{false};
-  std::atomic<std::uint64_t> ticks{0}, late{0};
+  std::atomic<std::uint64_t> ticks{0}, late{0}, very_late{0};
   std::atomic<std::int64_t> longest_delay_ns{0};
   std::string privileges;
   bool is_real_time = false, has_locked_memory = false;
@@ -75,6 +76,7 @@ struct TickThread::Impl {
 void TickThread::Impl::count(std::int64_t delay_ns) {
   ticks.fetch_add(1, std::memory_order_relaxed);
   if (delay_ns > kPeriod_ns) late.fetch_add(1, std::memory_order_relaxed);
+  if (delay_ns > kVeryLate_ns) very_late.fetch_add(1, std::memory_order_relaxed);
   if (delay_ns > longest_delay_ns.load(std::memory_order_relaxed)) {
     longest_delay_ns.store(delay_ns, std::memory_order_relaxed);
   }
@@ -144,7 +146,7 @@ void TickThread::remove(const std::shared_ptr<Channel>& channel) {
 
 TickStatistics TickThread::statistics() const {
   return {impl_->ticks.load(std::memory_order_relaxed), impl_->late.load(std::memory_order_relaxed),
-          impl_->longest_delay_ns.load(std::memory_order_relaxed)};
+          impl_->very_late.load(std::memory_order_relaxed), impl_->longest_delay_ns.load(std::memory_order_relaxed)};
 }
 
 std::int64_t TickThread::now_ns() {

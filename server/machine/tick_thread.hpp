@@ -16,7 +16,8 @@ namespace cnclab::machine {
 /// Late ticks are counted, never skipped silently (architecture.md rule 6).
 struct TickStatistics {
   std::uint64_t ticks = 0;
-  std::uint64_t late = 0;  ///< began more than 1 ms after their time
+  std::uint64_t late = 0;       ///< began more than 1 ms after their time
+  std::uint64_t very_late = 0;  ///< of these, more than 5 ms (LOAD-003)
   std::int64_t longest_delay_ns = 0;
 };
 

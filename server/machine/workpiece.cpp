@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace cnclab::machine {
 
@@ -22,7 +23,7 @@ struct Workpiece::Way {
   bool is_start_cut = false;  ///< nothing is left above `from.z` within the radius about `from`
 
   struct Interval {
-    double low = INFINITY, high = -INFINITY;
+    double low = std::numeric_limits<double>::infinity(), high = -low;
     void include(double value) {
       low = std::min(low, value);
       high = std::max(high, value);

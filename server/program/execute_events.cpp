@@ -6,8 +6,6 @@ namespace cnclab::program {
 
 namespace {
 
-constexpr std::array kAxisWords{language::Address::X, language::Address::Y, language::Address::Z};
-
 /// The axes with a word are called by its value from here on. The path does not jump: what the operator calls it
 /// changes, the offset takes up the difference. Values are not scaled (D-64, D-68).
 template <typename Event>

@@ -69,50 +69,50 @@ void reset_output(BlockRun& run, int code) {
 void wait_for_card(BlockRun& run, int code) { run.emit(geometry::Wait{.card = card_of(code), .line = code % 10}); }
 
 /// One M function, or several whose codes follow each other.
-struct Row {
+struct MFunction {
   int first, last;
   void (*act)(BlockRun&, int code) = nullptr;
   Moment moment = Moment::block_end;
   bool acts_in_test_run = false;  ///< D-42, DEC-38
 };
 
-constexpr std::array kRows{
-    Row{0, 0, halt},
-    Row{1, 1, halt_with_signal},
-    Row{2, 2, end_program},
-    Row{3, 3, spindle_clockwise, Moment::block_start},
-    Row{4, 4, spindle_counterclockwise, Moment::block_start},
-    Row{5, 5, spindle_off, Moment::block_end, true},
-    Row{8, 8, coolant_on, Moment::block_start},
-    Row{9, 9, coolant_off, Moment::block_end, true},
-    Row{12, 12, spindle_and_coolant_off, Moment::block_end, true},
-    Row{13, 13, clockwise_with_coolant, Moment::block_start},
-    Row{14, 14, counterclockwise_with_coolant, Moment::block_start},
-    Row{15, 15, sound_signal},
-    Row{16, 16, wait_for_input_1},
-    Row{20, 20, special_functions_off, Moment::block_end, true},
-    Row{21, 21, hide_blocks, Moment::block_end, true},
-    Row{22, 22, hide_subprogram_blocks, Moment::block_end, true},
-    Row{23, 23, potentiometer_off, Moment::block_end, true},
-    Row{24, 24, begin_test_run},
-    Row{40, 48, set_output},
-    Row{50, 58, reset_output},
-    Row{60, 68, wait_for_card},
-    Row{70, 78, set_output},
-    Row{80, 88, reset_output},
-    Row{90, 98, wait_for_card},
+constexpr std::array kMFunctions{
+    MFunction{0, 0, halt},
+    MFunction{1, 1, halt_with_signal},
+    MFunction{2, 2, end_program},
+    MFunction{3, 3, spindle_clockwise, Moment::block_start},
+    MFunction{4, 4, spindle_counterclockwise, Moment::block_start},
+    MFunction{5, 5, spindle_off, Moment::block_end, true},
+    MFunction{8, 8, coolant_on, Moment::block_start},
+    MFunction{9, 9, coolant_off, Moment::block_end, true},
+    MFunction{12, 12, spindle_and_coolant_off, Moment::block_end, true},
+    MFunction{13, 13, clockwise_with_coolant, Moment::block_start},
+    MFunction{14, 14, counterclockwise_with_coolant, Moment::block_start},
+    MFunction{15, 15, sound_signal},
+    MFunction{16, 16, wait_for_input_1},
+    MFunction{20, 20, special_functions_off, Moment::block_end, true},
+    MFunction{21, 21, hide_blocks, Moment::block_end, true},
+    MFunction{22, 22, hide_subprogram_blocks, Moment::block_end, true},
+    MFunction{23, 23, potentiometer_off, Moment::block_end, true},
+    MFunction{24, 24, begin_test_run},
+    MFunction{40, 48, set_output},
+    MFunction{50, 58, reset_output},
+    MFunction{60, 68, wait_for_card},
+    MFunction{70, 78, set_output},
+    MFunction{80, 88, reset_output},
+    MFunction{90, 98, wait_for_card},
 };
 
-constexpr std::size_t kCodes = 100;
+constexpr std::size_t kMCodes = 100;
 
-constexpr std::array<const Row*, kCodes> by_code() {
-  std::array<const Row*, kCodes> table{};
-  for (const Row& row : kRows)
-    for (int code = row.first; code <= row.last; ++code) table[static_cast<std::size_t>(code)] = &row;
+constexpr std::array<const MFunction*, kMCodes> functions_by_code() {
+  std::array<const MFunction*, kMCodes> table{};
+  for (const MFunction& function : kMFunctions)
+    for (int code = function.first; code <= function.last; ++code) table[static_cast<std::size_t>(code)] = &function;
   return table;
 }
 
-constexpr std::array<const Row*, kCodes> kByCode = by_code();
+constexpr std::array<const MFunction*, kMCodes> kFunctionOf = functions_by_code();
 
 /// The I/O card that a function needs, 0 for none (M-902).
 int needed_card(int code) { return code < 40 ? 0 : card_of(code); }
@@ -126,13 +126,13 @@ bool has_card(const Settings& settings, int card) {
 
 void execute_m(BlockRun& run, Moment moment) {
   const language::Word* word = run.block.find(language::Address::M);
-  if (word == nullptr || word->number < 0 || word->number >= static_cast<std::int64_t>(kCodes)) return;
-  const Row* row = kByCode[static_cast<std::size_t>(word->number)];
-  if (row == nullptr || row->moment != moment) return;
-  if (run.state.modal.test_run && !row->acts_in_test_run) return;
+  if (word == nullptr || word->number < 0 || word->number >= static_cast<std::int64_t>(kMCodes)) return;
+  const MFunction* function = kFunctionOf[static_cast<std::size_t>(word->number)];
+  if (function == nullptr || function->moment != moment) return;
+  if (run.state.modal.test_run && !function->acts_in_test_run) return;
   const int code = static_cast<int>(word->number);
   run.state.modal.m = code;
-  if (has_card(run.settings, needed_card(code))) row->act(run, code);
+  if (has_card(run.settings, needed_card(code))) function->act(run, code);
 }
 
 }  // namespace cnclab::program

@@ -38,9 +38,9 @@ std::vector<language::Program> read_rom(std::string_view text) {
 }  // namespace
 
 const language::Program* rom_program(std::uint16_t number) {
-  static const std::vector<language::Program> programs = read_rom(rom_text());
-  const auto found = std::ranges::find(programs, number, &language::Program::number);
-  return found == programs.end() ? nullptr : &*found;
+  static const std::vector<language::Program> kPrograms = read_rom(rom_text());
+  const auto found = std::ranges::find(kPrograms, number, &language::Program::number);
+  return found == kPrograms.end() ? nullptr : &*found;
 }
 
 const language::Program* rom_program_of(language::Function function) {

@@ -17,7 +17,6 @@ namespace {
 using language::Address;
 using language::ErrorCode;
 
-constexpr std::array kAxisWords{Address::X, Address::Y, Address::Z};
 /// Sums beyond 100 km leave the exact range of a path coordinate; no machine is that long.
 constexpr std::int64_t kFarthest_nm = 100'000'000'000'000;
 

@@ -1,9 +1,13 @@
 // Words on their way into execution: parameters become numbers, and the finished block is checked (PAR-004, DEC-13).
 #pragma once
 
+#include <array>
+
 #include "program/block_run.hpp"
 
 namespace cnclab::program {
+
+inline constexpr std::array kAxisWords{language::Address::X, language::Address::Y, language::Address::Z};
 
 /// 1/1 000 000 mm to 1/1000 mm, rounded to nearest, halves away from zero (DEC-52).
 [[nodiscard]] std::int64_t rounded_to_um(std::int64_t value);

@@ -132,11 +132,12 @@ Reaction react_typed(ConsoleModel model, char32_t character) {
 }
 
 Reaction react_special(ConsoleModel model, Special special) {
+  const int chosen = model.chosen;
   switch (special) {
     case Special::up:
-      return choose(std::move(model), model.chosen - 1);
+      return choose(std::move(model), chosen - 1);
     case Special::down:
-      return choose(std::move(model), model.chosen + 1);
+      return choose(std::move(model), chosen + 1);
     case Special::enter:
       return react_typed(std::move(model), U's');
     case Special::halt:
@@ -185,7 +186,8 @@ Reaction react(ConsoleModel model, const Input& pressed) {
                                [&](const Clicked& clicked) {
                                  const int seat = clicked.row - kFirstSeatRow + 1;
                                  const bool is_seat = seat >= 1 && seat <= kSeats;
-                                 return choose(std::move(model), is_seat ? seat : model.chosen);
+                                 const int chosen = is_seat ? seat : model.chosen;
+                                 return choose(std::move(model), chosen);
                                }},
                     input);
 }

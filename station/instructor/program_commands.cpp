@@ -19,12 +19,12 @@ std::optional<std::uint32_t> program_or_data(const std::string& text) {
 }
 
 const CLI::Validator& program_or_data_name() {
-  static const CLI::Validator validator(
+  static const CLI::Validator kValidator(
       [](std::string& text) {
         return program_or_data(text) ? std::string() : text + ": P0000 to P9999, or MD for the machine data";
       },
       "P0001");
-  return validator;
+  return kValidator;
 }
 
 void add_program_choice(CLI::App& sub, const std::shared_ptr<std::string>& student,

@@ -96,7 +96,7 @@ std::optional<std::string> ask_secret(const std::string& question) {
 
 std::optional<std::string> ask_new_password() {
   for (;;) {
-    const auto first = ask_secret("Neues Passwort (mindestens 8 Zeichen) / new password: ");
+    auto first = ask_secret("Neues Passwort (mindestens 8 Zeichen) / new password: ");
     if (!first || first->empty()) return std::nullopt;
     const auto second = ask_secret("Noch einmal / again: ");
     if (!second) return std::nullopt;

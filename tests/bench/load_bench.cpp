@@ -1,7 +1,7 @@
 // The three loads of LOAD-001 by fifteen real stations with a console in a terminal; for the second half of each with a
 // mirror of every station (LOAD-004): how long a key takes to its screen, what the server costs, how late the ticks
 // are, how old the mirror's tiles get. Beside them the floors of the same run and shape (load_floor.cpp): fifteen bare
-// stations at a bare echo, and a bare beat all the time.
+// stations at a bare echo, and a bare beat on every processor, all the time (late_ticks.hpp).
 //
 //   bench_load [SECONDS]   per load, default 20; LOAD-003 wants 600 in all: bench_load 200
 #include <array>
@@ -9,11 +9,11 @@
 #include <cstdlib>
 #include <exception>
 #include <mutex>
-#include <sstream>
 #include <thread>
 
 #include "figure.hpp"
 #include "harness/classroom.hpp"
+#include "late_ticks.hpp"
 #include "process_figures.hpp"
 #include "typist.hpp"
 
@@ -215,21 +215,8 @@ void run(harness::Classroom& room, Seats& seats, const Load& load, std::chrono::
   figure("mirror_tile_age_ms_p95", percentile(mirrored.ages_ms, 0.95), "ms");
 }
 
-/// What the machine lets a beat be that does nothing, over the time of all loads.
-void print_beat(harness::ChildProcess& beat) {
-  beat.close_input();
-  const auto line = beat.read_line(harness::Deadline(5s));
-  if (!line) throw std::runtime_error("the bare beat ended");
-  std::istringstream figures(*line);
-  double ticks = 0, late = 0, longest_ms = 0;
-  figures >> ticks >> late >> longest_ms;
-  print_figure("bare_beat_ticks", ticks, "1");
-  print_figure("bare_beat_late_ticks", late, "1");
-  print_figure("bare_beat_longest_delay_ms", longest_ms, "ms");
-}
-
 void run_all(std::chrono::seconds time) {
-  harness::ChildProcess beat(floor_program({"beat"}));
+  BareBeats beats(harness::programs_folder() / "load_floor");
   harness::Classroom room;
   const std::string endless = "P0001N001G11F2000N002G01X+20000Y+10000N003G01X-20000Y-10000N004G20P0001N002%";
   for (int i = 1; i <= kStations; ++i) room.add_student(student_name(i), {endless});
@@ -241,7 +228,9 @@ void run_all(std::chrono::seconds time) {
   print_percentiles("load_floor_key_to_screen_us", floor, "us");
   for (const Load& load : {Load{"typing", 15}, {"running", 0}, {"mixed", 8}})
     run(room, seats, load, time, percentile(floor, 0.99));
-  print_beat(beat);
+  const WallTimes ticks = very_late_ticks(room.server().log());
+  print_figure("load_very_late_ticks", static_cast<double>(ticks.size()), "1");
+  print_figure("load_very_late_ticks_unexplained", static_cast<double>(count_unexplained(ticks, beats.end())), "1");
 }
 
 }  // namespace

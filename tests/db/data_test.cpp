@@ -52,7 +52,7 @@ TEST(Runs, STO_007_ARunThatItsServerDidNotEndIsClosedWithItsReasonAtTheNextOpeni
     record.machine = "lab";
     record.setup = "{}";
     run = database.begin_run(record);
-    database.add_trace(run, 1, std::string(36 * 1500, 'x'));
+    database.add_trace(run, 1, std::string(54'000, 'x'));
     EXPECT_EQ(database.run(run)->ended, "") << "while it lasts";
   }
   const auto closed = opened(folder.file()).run(run);

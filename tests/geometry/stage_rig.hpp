@@ -28,6 +28,9 @@ namespace rig {
 
 using namespace cnclab::geometry;
 
+/// Block 1 switches the correction on, block 2 is the entry, block 3 the first of the contour.
+inline constexpr std::size_t kEntryBlock = 2, kFirstBlock = 3;
+
 inline constexpr std::array kPlanes{Plane::xy, Plane::xz, Plane::yz};
 
 inline std::string name_of(Plane plane) { return plane == Plane::xy ? "XY" : plane == Plane::xz ? "XZ" : "YZ"; }

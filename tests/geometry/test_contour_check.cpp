@@ -13,13 +13,11 @@ struct Gouge {
   double found_mm;
 };
 
-struct Row {
+struct CheckRow {
   std::string name;
   void (*program)(Part&);
   std::vector<Gouge> expected;
 };
-
-constexpr int kEntryBlock = 2;
 
 /// A pocket entered between two walls that are no neighbours; `gap` is its mouth. Blocks 3 to 7.
 void pocket(Part& p, double gap) {
@@ -28,7 +26,7 @@ void pocket(Part& p, double gap) {
 
 void square(Part& p) { p.line(40, 0).line(40, 40).line(0, 40).line(0, 0); }
 
-std::vector<Row> rows() {
+std::vector<CheckRow> check_rows() {
   return {
       {"mouth too narrow", [](Part& p) { pocket(p, 8); }, {{2, 7, 3}, {3, 6, 3}, {3, 7, 3}, {7, 3, 3}}},
       {"mouth just wide enough", [](Part& p) { pocket(p, 10); }, {}},
@@ -89,7 +87,7 @@ std::vector<Row> rows() {
 
 TEST(ContourCheck, NamesBlockOtherAndDistanceInEveryPlane_DEC09) {
   for (const Plane plane : {Plane::xy, Plane::xz, Plane::yz}) {
-    for (const Row& row : rows()) {
+    for (const CheckRow& row : check_rows()) {
       Part part(plane);
       row.program(part);
       const Outcome outcome = run(part);

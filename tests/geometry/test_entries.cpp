@@ -16,8 +16,6 @@ namespace {
 using namespace rig;
 using Kind = StageFault::Kind;
 
-constexpr int kEntryBlock = 2;
-
 /// A square room of 40 mm, entered in the middle of its lower side; blocks 3 to 7, G40 is 8, the exit 9.
 void room(Part& part) { part.line(40, 0).line(40, 40).line(0, 40).line(0, 0).line(20, 0).off(); }
 

@@ -36,28 +36,28 @@ Arc arc(Plane plane, Turn turn, Point from, Point to, Point center) {
 }
 
 std::vector<ArcRow> arc_rows() {
-  constexpr auto cw = Turn::clockwise;
-  constexpr auto ccw = Turn::counterclockwise;
+  constexpr auto kCw = Turn::clockwise;
+  constexpr auto kCcw = Turn::counterclockwise;
   return {
-      {"EX-014 half circle", arc(Plane::xy, cw, {75, 60, 54}, {85, 60, 54}, {80, 60, 54}), 15.707963, -180, 5e-7},
-      {"EX-042 nearly full circle", arc(Plane::xy, cw, {0, 0}, {0.005, -0.005}, {20, 0}), 125.6430, -359.98567, 5e-5},
-      {"EX-105 arc of P0001", arc(Plane::xy, cw, {20, 20}, {20.005, 19.995}, {30, 30}), 88.850593, -359.97135, 5e-7},
-      {"EX-101 mirrored in X", arc(Plane::xy, ccw, {-20, 20}, {-20.005, 19.995}, {-30, 30}), 88.850593, 359.97135,
+      {"EX-014 half circle", arc(Plane::xy, kCw, {75, 60, 54}, {85, 60, 54}, {80, 60, 54}), 15.707963, -180, 5e-7},
+      {"EX-042 nearly full circle", arc(Plane::xy, kCw, {0, 0}, {0.005, -0.005}, {20, 0}), 125.6430, -359.98567, 5e-5},
+      {"EX-105 arc of P0001", arc(Plane::xy, kCw, {20, 20}, {20.005, 19.995}, {30, 30}), 88.850593, -359.97135, 5e-7},
+      {"EX-101 mirrored in X", arc(Plane::xy, kCcw, {-20, 20}, {-20.005, 19.995}, {-30, 30}), 88.850593, 359.97135,
        5e-7},
-      {"EX-102 mirrored in Y", arc(Plane::xy, ccw, {20, -20}, {20.005, -19.995}, {30, -30}), 88.850593, 359.97135,
+      {"EX-102 mirrored in Y", arc(Plane::xy, kCcw, {20, -20}, {20.005, -19.995}, {30, -30}), 88.850593, 359.97135,
        5e-7},
-      {"EX-103 mirrored in both", arc(Plane::xy, cw, {-20, -20}, {-20.005, -19.995}, {-30, -30}), 88.850593, -359.97135,
-       5e-7},
-      {"EX-108 wrong sense after one mirror", arc(Plane::xy, cw, {-20, 20}, {-20.005, 19.995}, {-30, 30}), 0.007071,
+      {"EX-103 mirrored in both", arc(Plane::xy, kCw, {-20, -20}, {-20.005, -19.995}, {-30, -30}), 88.850593,
+       -359.97135, 5e-7},
+      {"EX-108 wrong sense after one mirror", arc(Plane::xy, kCw, {-20, 20}, {-20.005, 19.995}, {-30, 30}), 0.007071,
        -0.02865, 5e-7},
-      {"DEC-04 full circle cw", arc(Plane::xy, cw, {0, 0}, {0, 0}, {20, 0}), 40 * pi, -360, 1e-9},
-      {"DEC-04 full circle ccw", arc(Plane::yz, ccw, {1, 2, 3}, {1, 2, 3}, {1, 2, 13}), 20 * pi, 360, 1e-9},
-      {"G-070 helix, one turn", arc(Plane::xy, ccw, {10, 0, 0}, {10, 0, -4}, {0, 0, 0}), std::hypot(20 * pi, 4), 360,
+      {"DEC-04 full circle cw", arc(Plane::xy, kCw, {0, 0}, {0, 0}, {20, 0}), 40 * pi, -360, 1e-9},
+      {"DEC-04 full circle ccw", arc(Plane::yz, kCcw, {1, 2, 3}, {1, 2, 3}, {1, 2, 13}), 20 * pi, 360, 1e-9},
+      {"G-070 helix, one turn", arc(Plane::xy, kCcw, {10, 0, 0}, {10, 0, -4}, {0, 0, 0}), std::hypot(20 * pi, 4), 360,
        1e-9},
-      {"D-128 G17 quarter ccw from +Z: X to Y", arc(Plane::xy, ccw, {10, 0, 0}, {0, 10, 0}, {}), 5 * pi, 90, 1e-9},
-      {"D-128 G18 quarter ccw from +Y: Z to X", arc(Plane::xz, ccw, {0, 0, 10}, {10, 0, 0}, {}), 5 * pi, 90, 1e-9},
-      {"D-128 G18 quarter cw from +Y: X to Z", arc(Plane::xz, cw, {10, 0, 0}, {0, 0, 10}, {}), 5 * pi, -90, 1e-9},
-      {"D-128 G19 quarter ccw from +X: Y to Z", arc(Plane::yz, ccw, {0, 10, 0}, {0, 0, 10}, {}), 5 * pi, 90, 1e-9},
+      {"D-128 G17 quarter ccw from +Z: X to Y", arc(Plane::xy, kCcw, {10, 0, 0}, {0, 10, 0}, {}), 5 * pi, 90, 1e-9},
+      {"D-128 G18 quarter ccw from +Y: Z to X", arc(Plane::xz, kCcw, {0, 0, 10}, {10, 0, 0}, {}), 5 * pi, 90, 1e-9},
+      {"D-128 G18 quarter cw from +Y: X to Z", arc(Plane::xz, kCw, {10, 0, 0}, {0, 0, 10}, {}), 5 * pi, -90, 1e-9},
+      {"D-128 G19 quarter ccw from +X: Y to Z", arc(Plane::yz, kCcw, {0, 10, 0}, {0, 0, 10}, {}), 5 * pi, 90, 1e-9},
   };
 }
 

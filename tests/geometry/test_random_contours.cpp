@@ -113,8 +113,6 @@ Part part_of(const Contour& contour, const std::vector<PathElement>& elements) {
   return part;
 }
 
-constexpr std::size_t kFirstBlock = 3;  ///< of the contour
-
 /// A way of the tool's centre, and the index of the element that it belongs to.
 struct WayBeside {
   std::size_t index = 0;

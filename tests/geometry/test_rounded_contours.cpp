@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "seeded.hpp"
 #include "slow_contour.hpp"
 #include "stage_rig.hpp"
 
@@ -15,10 +16,6 @@ using namespace rig;
 using Kind = StageFault::Kind;
 using std::numbers::pi;
 
-/// The same cases in every run; RC_PARAMS in the environment asks for others.
-const bool kSeeded = setenv("RC_PARAMS", "seed=3300 max_success=600", 0) == 0;
-
-constexpr int kFirstBlock = 3;        ///< of the contour
 constexpr double kRounding = 0.0016;  ///< mm: a centre and a start rounded to 1/1000, with some numerical noise
 
 /// A fillet, and the line behind it that touches it.

@@ -29,10 +29,11 @@ TEST(ItemText, INS_005_status_has_the_names_and_numbers_of_the_description) {
   status.mutable_ticks()->set_longest_ms(0.25);
   status.add_stations()->set_station(7);
   const std::string text = text_of(item);
-  EXPECT_EQ(text.find(R"({"selected":7,"offered":0,"lease":12,"halted_by":"","machine":{"state":"standstill",)"
-                      R"("referenced":false,"x":85.005,"y":0,"z":0,"u":0,"feed":0,"spindle":0,"damaged_data":[]},)"
-                      R"("ticks":{"late":0,"longest_ms":0.25,"stalls":0},"stations":[{"station":7,"user":"")"),
-            0U)
+  EXPECT_EQ(
+      text.find(R"({"selected":7,"offered":0,"lease":12,"halted_by":"","machine":{"state":"standstill",)"
+                R"("referenced":false,"x":85.005,"y":0,"z":0,"u":0,"feed":0,"spindle":0,"damaged_data":[]},)"
+                R"("ticks":{"late":0,"longest_ms":0.25,"stalls":0,"very_late":0},"stations":[{"station":7,"user":"")"),
+      0U)
       << text;
   EXPECT_EQ(text.find('\n'), text.size() - 1);
 }

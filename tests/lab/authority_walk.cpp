@@ -167,7 +167,7 @@ std::vector<Happening> all_happenings() {
   }
   for (const db::PersonId person : {kInstructor, db::PersonId{2}, db::PersonId{3}})
     all.insert(all.end(), {Event{HaltPressed{person, "p"}}, Event{HaltReleased{person}}});
-  for (const std::uint64_t login : {11, 21})
+  for (const std::uint64_t login : {11U, 21U})
     for (const Event& event : std::initializer_list<Event>{Locked{LoginId{login}, true}, Locked{LoginId{login}, false},
                                                            Deprived{LoginId{login}, "console lost"}})
       all.emplace_back(event);

@@ -39,9 +39,10 @@ std::string as_listing(const Tape& tape) {
 
 TEST(Corpus, WritingAndReadingIsAFixedPoint_D_101_EXT_005) {
   std::size_t programs = 0;
-  for (const std::string name : {"tape", "listing"}) {
+  for (const char* name : {"tape", "listing"}) {
+    const bool is_tape = name == std::string_view("tape");
     for (const std::string& text : corpus(name)) {
-      const Tape read = name == "tape" ? read_tape(text, Reading::file) : read_listing(text);
+      const Tape read = is_tape ? read_tape(text, Reading::file) : read_listing(text);
       const Tape printed = read_programs_text(as_listing(read), Reading::file);
       EXPECT_TRUE(printed.errors.empty()) << text;
       EXPECT_EQ(as_listing(printed), as_listing(read)) << text;

@@ -6,13 +6,13 @@
 namespace cnclab::language {
 namespace {
 
-struct FormRow {
+struct TextRow {
   std::string_view id, text;
   TextForm form;
 };
 
 TEST(ProgramText, FormIsToldByContent_DEC_30_EXT_005) {
-  constexpr FormRow kRows[] = {
+  constexpr TextRow kRows[] = {
       {"EX-050", "P0001N001G00X+12Y-1500000Z+4150N999G01Z+500\nM05%", TextForm::tape},
       {"tape with blanks and points", "P0001\nN001 G00 X+1.5 Y.5 Z-3.\n%", TextForm::tape},
       {"tape with comments like a listing", "P0001\nN001 G00 X+1 (Y.....,... F....)\nN002 G17 (#01 = #02)",
@@ -37,7 +37,7 @@ TEST(ProgramText, FormIsToldByContent_DEC_30_EXT_005) {
       {"small letters", "P0001\nn001 g01 x+...5,000", TextForm::listing},
       {"caption before it", "BEISPIEL\nP0001\nN001 G01 X+...5,000", TextForm::listing},
   };
-  for (const FormRow& row : kRows) EXPECT_EQ(form_of_text(row.text), row.form) << row.id;
+  for (const TextRow& row : kRows) EXPECT_EQ(form_of_text(row.text), row.form) << row.id;
 }
 
 TEST(ProgramText, BothFormsComeThroughOneDoor) {

@@ -60,7 +60,7 @@ TEST(BlockStarts, BlocksOfOneTickShareAnEntry) {
   rig.run(items);
   const Snapshot now = rig.channel.snapshot();
   EXPECT_EQ(now.block_start_count, 1);
-  for (const std::uint64_t sequence : {0, 1, 20, 21}) EXPECT_EQ(input_1_at_start(now, sequence), true) << sequence;
+  for (const std::uint64_t sequence : {0U, 1U, 20U, 21U}) EXPECT_EQ(input_1_at_start(now, sequence), true) << sequence;
 }
 
 TEST(BlockStarts, TheLastFourAreKeptAndStopAddsNone) {

@@ -16,6 +16,8 @@
 
 namespace cnclab::panel {
 
+inline constexpr double kStep_mm = 0.005;  ///< of an axis, as delivered (MD-131)
+
 class Bench {
  public:
   struct Setup {

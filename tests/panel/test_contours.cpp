@@ -11,8 +11,6 @@ namespace {
 
 using testing::HasSubstr;
 
-constexpr double kStep_mm = 0.005;
-
 /// EX-080: the square with radius correction.
 constexpr std::string_view kSquare =
     "P0000T001R+5000L+1000 P0001N001G68X+0Y+0Z+0N002G11F1000T01N003G01X+20000N004G42N005G01Y+30000N006G01X+30000"

@@ -135,7 +135,8 @@ TEST(Entry, D_47_InsertionPastN999IsRefused) {
   bench.keys("EINGABE");
   EXPECT_EQ(bench.stores(), 0);
   EXPECT_EQ(bench.monitor(15), "Satz überprüfen");
-  EXPECT_EQ(bench.monitor(5).substr(0, columns_of("□001") + 2), "□001") << "the marker stands on the number";
+  EXPECT_EQ(bench.monitor(5).substr(0, static_cast<std::size_t>(columns_of("□001")) + 2), "□001")
+      << "the marker stands on the number";
 }
 
 TEST(Memory, D_22_CostsAreCountedWithEveryChange) {

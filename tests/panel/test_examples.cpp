@@ -65,7 +65,6 @@ TEST_P(Examples, RunToTheirEnd) {
   EXPECT_EQ(bench.snapshot().cause, GetParam().cause) << bench.picture();
   EXPECT_NEAR(least, GetParam().least_x_mm, 0.05);
   EXPECT_NEAR(most, GetParam().most_x_mm, 1.0);
-  constexpr double kStep_mm = 0.005;
   EXPECT_NEAR(bench.istwert(0), GetParam().x_mm, kStep_mm);
   if (GetParam().cause == machine::StopCause::limit_switch) return;
   EXPECT_NEAR(bench.istwert(1), GetParam().y_mm, kStep_mm);

@@ -18,8 +18,6 @@ namespace {
 using machine::StopCause;
 using Shift = std::array<double, 3>;
 
-constexpr double kStep_mm = 0.005;
-
 /// R 5, L 4; the way N005 begins when everything before it stands in its offset.
 struct Compensation {
   std::string_view name;

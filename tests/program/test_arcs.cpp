@@ -49,92 +49,92 @@ TEST_P(RadiusArcs, HaveThisCentre) {
   EXPECT_NEAR(shape.start_radius, shape.end_radius, 1e-9);
 }
 
-constexpr auto cw = Turn::clockwise;
-constexpr auto ccw = Turn::counterclockwise;
+constexpr auto kCw = Turn::clockwise;
+constexpr auto kCcw = Turn::counterclockwise;
 
 INSTANTIATE_TEST_SUITE_P(, RadiusArcs,
                          testing::Values(ArcRow{"G050_quarter_clockwise",
                                                 "P0001N001G05X+10000Y+10000R+10000F0500%",
                                                 {10, 10},
                                                 {10, 0},
-                                                cw,
+                                                kCw,
                                                 Plane::xy,
                                                 kHalf / 2},
                                          ArcRow{"G060_quarter_counterclockwise",
                                                 "P0001N001G06X+10000Y+10000R+10000F0500%",
                                                 {10, 10},
                                                 {0, 10},
-                                                ccw,
+                                                kCcw,
                                                 Plane::xy,
                                                 kHalf / 2},
                                          ArcRow{"D66_negative_R_is_the_longer_arc",
                                                 "P0001N001G05X+10000Y+10000R-10000F0500%",
                                                 {10, 10},
                                                 {0, 10},
-                                                cw,
+                                                kCw,
                                                 Plane::xy,
                                                 3 * kHalf / 2},
                                          ArcRow{"D66_negative_R_counterclockwise",
                                                 "P0001N001G06X+10000Y+10000R-10000F0500%",
                                                 {10, 10},
                                                 {10, 0},
-                                                ccw,
+                                                kCcw,
                                                 Plane::xy,
                                                 3 * kHalf / 2},
                                          ArcRow{"D66_R_a_little_above_half_the_chord",
                                                 "P0001N001G05X+10005Y+0R+5003F0500%",
                                                 {10.005, 0},
                                                 {5.0025, -std::sqrt(0.0005 * 10.0055)},
-                                                cw,
+                                                kCw,
                                                 Plane::xy,
                                                 2 * std::asin(5.0025 / 5.003)},
                                          ArcRow{"D66_R_is_half_the_chord",
                                                 "P0001N001G06X+30006Y-40008R+25005F0500%",
                                                 {30.006, -40.008},
                                                 {15.003, -20.004},
-                                                ccw,
+                                                kCcw,
                                                 Plane::xy,
                                                 kHalf},
                                          ArcRow{"BLK105_plane_XZ",
                                                 "P0001N001G18N002G05X+10000R+10000Z+10000F0500%",
                                                 {10, 0, 10},
                                                 {0, 0, 10},
-                                                cw,
+                                                kCw,
                                                 Plane::xz,
                                                 kHalf / 2},
                                          ArcRow{"BLK105_plane_YZ",
                                                 "P0001N001G19N002G05R+10000Y+10000Z+10000F0500%",
                                                 {0, 10, 10},
                                                 {0, 10, 0},
-                                                cw,
+                                                kCw,
                                                 Plane::yz,
                                                 kHalf / 2},
                                          ArcRow{"D68_R_is_scaled",
                                                 "P0001N001G75X+2000Y+2000N002G05X+10000Y+10000R+10000F0500%",
                                                 {20, 20},
                                                 {20, 0},
-                                                cw,
+                                                kCw,
                                                 Plane::xy,
                                                 kHalf / 2},
                                          ArcRow{"D68_R_is_scaled_and_mirrored",
                                                 "P0001N001G75X-500Y+500N002G05X+10000Y+10000R+10000F0500%",
                                                 {-5, 5},
                                                 {-5, 0},
-                                                ccw,
+                                                kCcw,
                                                 Plane::xy,
                                                 kHalf / 2},
                                          ArcRow{"G022_end_point_under_G90",
                                                 "P0001N001G90N002G00X+10000N003G06X+0Y+10000R+10000F0500%",
                                                 {0, 10},
                                                 {0, 0},
-                                                ccw,
+                                                kCcw,
                                                 Plane::xy,
                                                 kHalf / 2},
                                          ArcRow{"BLK106_F_in_the_block_before",
                                                 "P0001N001G11F0300N002G06X+10000Y+10000R+10000%",
                                                 {10, 10},
                                                 {0, 10},
-                                                ccw,
+                                                kCcw,
                                                 Plane::xy,
                                                 kHalf / 2}),
                          [](const auto& row) { return std::string(row.param.name); });
@@ -165,10 +165,10 @@ TEST(Helix, IsAnArcThatMovesAlongZ_G070) {
   const auto arcs = all_of<Arc>(run);
   ASSERT_EQ(arcs.size(), 2u);
   EXPECT_EQ(arcs[0].to, (Point{10, 0, -4}));
-  EXPECT_EQ(arcs[0].turn, cw);
+  EXPECT_EQ(arcs[0].turn, kCw);
   EXPECT_NEAR(geometry::length_of(arcs[0]), std::hypot(5 * kHalf, 4), 1e-9);
   EXPECT_EQ(arcs[1].to, (Point{0, 0, -5}));
-  EXPECT_EQ(arcs[1].turn, ccw);
+  EXPECT_EQ(arcs[1].turn, kCcw);
 }
 
 TEST(Helix, FullTurnInOneBlock_DEC04) {
@@ -182,7 +182,7 @@ TEST(Helix, ZIsScaledByItsOwnFactor_D68) {
   ASSERT_FALSE(run.error);
   const Arc arc = all_of<Arc>(run).at(0);
   EXPECT_EQ(arc.to, (Point{20, 0, -2}));
-  EXPECT_EQ(arc.turn, ccw) << "Y is mirrored";
+  EXPECT_EQ(arc.turn, kCcw) << "Y is mirrored";
 }
 
 /// Pulses of a circle of radius r: 4 r in each axis, so Z may have less than 8 r of them. 200 steps/mm.

@@ -41,7 +41,9 @@ CycleWords any_words(std::int64_t most) {
 /// Any place, between thousandths too; G90 or G91; factors 1, or scaled and mirrored.
 Start any_start() {
   const std::int64_t grid_nm = between(0, 1) == 0 ? 1'000 : 1;
-  const auto place = [&] { return static_cast<double>(between(-300'000'000, 300'000'000) / grid_nm * grid_nm) / 1e6; };
+  const auto place = [&] {
+    return static_cast<double>(between(-300'000'000 / grid_nm, 300'000'000 / grid_nm) * grid_nm) / 1e6;
+  };
   Start start = between(0, 1) == 0 ? start_at(place(), place(), place()) : start_at(0, 0, 0);
   if (between(0, 1) == 0) start.modal.dimension = Dimension::absolute;
   if (between(0, 1) == 0) {

@@ -138,12 +138,12 @@ TEST(Motion, EX100FourMirroredCirclesOnePerQuadrant) {
     Point center, end;
     geometry::Turn turn;
   };
-  constexpr auto cw = geometry::Turn::clockwise;
-  constexpr auto ccw = geometry::Turn::counterclockwise;
-  const Row rows[] = {{"EX-101", {-30, 30}, {-20.005, 19.995}, ccw},
-                      {"EX-102", {30, -30}, {20.005, -19.995}, ccw},
-                      {"EX-103", {-30, -30}, {-20.005, -19.995}, cw},
-                      {"EX-104", {30, 30}, {20.005, 19.995}, cw}};
+  constexpr auto kCw = geometry::Turn::clockwise;
+  constexpr auto kCcw = geometry::Turn::counterclockwise;
+  const Row rows[] = {{"EX-101", {-30, 30}, {-20.005, 19.995}, kCcw},
+                      {"EX-102", {30, -30}, {20.005, -19.995}, kCcw},
+                      {"EX-103", {-30, -30}, {-20.005, -19.995}, kCw},
+                      {"EX-104", {30, 30}, {20.005, 19.995}, kCw}};
   const auto arcs = all_of<Arc>(run);
   ASSERT_EQ(arcs.size(), 4u);
   for (std::size_t i = 0; i < arcs.size(); ++i) {
@@ -185,15 +185,15 @@ TEST(Motion, ArcsInAllPlanesTakeTheirOwnWords_BLK102_SYS003_G020_G030) {
     geometry::Turn turn;
     Point middle;
   };
-  constexpr auto cw = geometry::Turn::clockwise;
-  constexpr auto ccw = geometry::Turn::counterclockwise;
+  constexpr auto kCw = geometry::Turn::clockwise;
+  constexpr auto kCcw = geometry::Turn::counterclockwise;
   const Row rows[] = {
-      {"G02 G17", "N002G17N003G02X+10000Y+0I+5000J+0%", {10, 0, 0}, geometry::Plane::xy, cw, {5, 5, 0}},
-      {"G02 G18", "N002G18N003G02X+10000Z+0I+5000K+0%", {10, 0, 0}, geometry::Plane::xz, cw, {5, 0, -5}},
-      {"G02 G19", "N002G19N003G02Y+10000Z+0J+5000K+0%", {0, 10, 0}, geometry::Plane::yz, cw, {0, 5, 5}},
-      {"G03 G17", "N002G17N003G03X+10000Y+0I+5000J+0%", {10, 0, 0}, geometry::Plane::xy, ccw, {5, -5, 0}},
-      {"G03 G18", "N002G18N003G03X+10000Z+0I+5000K+0%", {10, 0, 0}, geometry::Plane::xz, ccw, {5, 0, 5}},
-      {"G03 G19", "N002G19N003G03Y+10000Z+0J+5000K+0%", {0, 10, 0}, geometry::Plane::yz, ccw, {0, 5, -5}},
+      {"G02 G17", "N002G17N003G02X+10000Y+0I+5000J+0%", {10, 0, 0}, geometry::Plane::xy, kCw, {5, 5, 0}},
+      {"G02 G18", "N002G18N003G02X+10000Z+0I+5000K+0%", {10, 0, 0}, geometry::Plane::xz, kCw, {5, 0, -5}},
+      {"G02 G19", "N002G19N003G02Y+10000Z+0J+5000K+0%", {0, 10, 0}, geometry::Plane::yz, kCw, {0, 5, 5}},
+      {"G03 G17", "N002G17N003G03X+10000Y+0I+5000J+0%", {10, 0, 0}, geometry::Plane::xy, kCcw, {5, -5, 0}},
+      {"G03 G18", "N002G18N003G03X+10000Z+0I+5000K+0%", {10, 0, 0}, geometry::Plane::xz, kCcw, {5, 0, 5}},
+      {"G03 G19", "N002G19N003G03Y+10000Z+0J+5000K+0%", {0, 10, 0}, geometry::Plane::yz, kCcw, {0, 5, -5}},
   };
   for (const Row& row : rows) {
     const RunResult run = run_text(std::string("P0001N001G11F1000") + row.text);

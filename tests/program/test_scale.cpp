@@ -74,16 +74,16 @@ TEST(ScaledArcs, AreMirrored_G751) {
     Point to;
     Turn turn;
   };
-  constexpr auto cw = Turn::clockwise, ccw = Turn::counterclockwise;
+  constexpr auto kCw = Turn::clockwise, kCcw = Turn::counterclockwise;
   const Row rows[] = {
-      {"none", "X+2000Y+2000", "N003G02X+10000Y+0I+5000J+0", {20, 0, 0}, cw},
-      {"X", "X-1000", "N003G02X+10000Y+0I+5000J+0", {-10, 0, 0}, ccw},
-      {"Y", "Y-1000", "N003G03X+10000Y+2000I+5000J+1000", {10, -2, 0}, cw},
-      {"X and Y", "X-1000Y-1000", "N003G02X+10000Y+2000I+5000J+1000", {-10, -2, 0}, cw},
-      {"Z does not matter in XY", "Z-3000", "N003G02X+10000Y+0I+5000J+0", {10, 0, 0}, cw},
-      {"Z in XZ", "Z-1000", "N003G18N004G02X+10000Z+2000I+5000K+1000", {10, 0, -2}, ccw},
-      {"X in YZ does not matter", "X-1000", "N003G19N004G02Y+10000Z+2000J+5000K+1000", {0, 10, 2}, cw},
-      {"Y in YZ", "Y-1000", "N003G19N004G03Y+10000Z+2000J+5000K+1000", {0, -10, 2}, cw},
+      {"none", "X+2000Y+2000", "N003G02X+10000Y+0I+5000J+0", {20, 0, 0}, kCw},
+      {"X", "X-1000", "N003G02X+10000Y+0I+5000J+0", {-10, 0, 0}, kCcw},
+      {"Y", "Y-1000", "N003G03X+10000Y+2000I+5000J+1000", {10, -2, 0}, kCw},
+      {"X and Y", "X-1000Y-1000", "N003G02X+10000Y+2000I+5000J+1000", {-10, -2, 0}, kCw},
+      {"Z does not matter in XY", "Z-3000", "N003G02X+10000Y+0I+5000J+0", {10, 0, 0}, kCw},
+      {"Z in XZ", "Z-1000", "N003G18N004G02X+10000Z+2000I+5000K+1000", {10, 0, -2}, kCcw},
+      {"X in YZ does not matter", "X-1000", "N003G19N004G02Y+10000Z+2000J+5000K+1000", {0, 10, 2}, kCw},
+      {"Y in YZ", "Y-1000", "N003G19N004G03Y+10000Z+2000J+5000K+1000", {0, -10, 2}, kCw},
   };
   for (const Row& row : rows) {
     const RunResult run = run_text(std::string("P0001N001G11F0500N002G75") + row.factors + row.arc + "%");

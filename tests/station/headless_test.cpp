@@ -66,7 +66,8 @@ struct Outcome {
 
 using Play = std::function<asio::awaitable<void>(User&)>;
 
-Outcome play(std::vector<FakeServer::Script> scripts, Play user_plays, std::function<void(Options&)> adjust = {}) {
+Outcome play(std::vector<FakeServer::Script> scripts, Play user_plays,
+             const std::function<void(Options&)>& adjust = {}) {
   asio::io_context context;
   FakeServer server(context, std::move(scripts));
   const TemporaryFolder folder;

@@ -38,7 +38,7 @@ TEST(Keymap, EveryKeyOfTheControlHasExactlyOneBinding) {
 
 TEST(Keymap, EveryBindingHasAPlainKeyAndNoAltKey) {
   for (const Binding& binding : keymap()) {
-    EXPECT_TRUE(std::any_of(binding.inputs.begin(), binding.inputs.end(), is_plain)) << name_of_binding(binding);
+    EXPECT_TRUE(std::ranges::any_of(binding.inputs, is_plain)) << name_of_binding(binding);
     for (const Input& input : binding.inputs) {
       EXPECT_NE(input, Input(Special::escape)) << name_of_binding(binding) << ": Escape begins what Alt sends";
     }
@@ -108,7 +108,7 @@ TEST(HelpPage, in_English_a_key_has_the_name_on_the_keyboard_and_the_one_in_the_
   for (const Binding& binding : keymap()) {
     const Press* const press = press_of(binding);
     if (press == nullptr || press->keys.size() != 1) continue;
-    const bool is_found = std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+    const bool is_found = std::ranges::any_of(lines, [&](const std::string& line) {
       return line.find(binding.label.german) != std::string::npos &&
              line.find(binding.label.english) != std::string::npos;
     });

@@ -39,7 +39,7 @@ Played play(std::vector<FakeServer::Script> scripts, Test test, Pace pace = kQui
     if (!login) throw std::runtime_error("no login");
     Broadcast changed(context.get_executor());
     if (!relogin) {
-      relogin = [&](v1::LoginAnswer) { return log_in(door, credentials, false, {}); };
+      relogin = [&](const v1::LoginAnswer&) { return log_in(door, credentials, false, {}); };
     }
     Session session(door, std::move(*login), changed, relogin, pace);
     auto first = co_await (session.run() || test(session, changed));

@@ -43,15 +43,15 @@ v1::ClientMessage key_message(std::uint64_t number, int key) {
   return message;
 }
 
-struct Row {
+struct BadRow {
   std::string name;
   bool greets;  ///< Hello first
   std::function<std::string()> bytes;
 };
 
-void PrintTo(const Row& row, std::ostream* out) { *out << row.name; }
+void PrintTo(const BadRow& row, std::ostream* out) { *out << row.name; }
 
-class BadBytes : public testing::TestWithParam<Row> {};
+class BadBytes : public testing::TestWithParam<BadRow> {};
 
 TEST_P(BadBytes, end_that_connection_alone) {
   Classroom room;
@@ -70,26 +70,26 @@ TEST_P(BadBytes, end_that_connection_alone) {
 
 INSTANTIATE_TEST_SUITE_P(
     SEC_006, BadBytes,
-    testing::Values(Row{"length 0", false, [] { return header(0); }},
-                    Row{"length 65537", false, [] { return header(65'537) + std::string(65'537, 'x'); }},
-                    Row{"length 4294967295", false, [] { return header(0xFFFFFFFFU); }},
-                    Row{"no protobuf", false, [] { return header(100) + std::string(100, '\xFF'); }},
-                    Row{"random bytes", false, [] { return random_bytes(100'000); }},
-                    Row{"random bytes after Hello", true, [] { return random_bytes(100'000); }},
-                    Row{"Login before Hello", false, [] { return frame(login_message()); }},
-                    Row{"a key before Login", true, [] { return frame(key_message(1, 22)); }},
-                    Row{"an empty message", true, [] { return header(2) + std::string("\x5A\x00", 2); }},
-                    Row{"a second Hello", true,
-                        [] {
-                          v1::ClientMessage message;
-                          message.mutable_hello()->set_version(1);
-                          return frame(message);
-                        }},
-                    Row{"a name of 33 bytes", true, [] {
-                          v1::ClientMessage message;
-                          message.mutable_login()->set_user(std::string(33, 'a'));
-                          return frame(message);
-                        }}));
+    testing::Values(BadRow{"length 0", false, [] { return header(0); }},
+                    BadRow{"length 65537", false, [] { return header(65'537) + std::string(65'537, 'x'); }},
+                    BadRow{"length 4294967295", false, [] { return header(0xFFFFFFFFU); }},
+                    BadRow{"no protobuf", false, [] { return header(100) + std::string(100, '\xFF'); }},
+                    BadRow{"random bytes", false, [] { return random_bytes(100'000); }},
+                    BadRow{"random bytes after Hello", true, [] { return random_bytes(100'000); }},
+                    BadRow{"Login before Hello", false, [] { return frame(login_message()); }},
+                    BadRow{"a key before Login", true, [] { return frame(key_message(1, 22)); }},
+                    BadRow{"an empty message", true, [] { return header(2) + std::string("\x5A\x00", 2); }},
+                    BadRow{"a second Hello", true,
+                           [] {
+                             v1::ClientMessage message;
+                             message.mutable_hello()->set_version(1);
+                             return frame(message);
+                           }},
+                    BadRow{"a name of 33 bytes", true, [] {
+                             v1::ClientMessage message;
+                             message.mutable_login()->set_user(std::string(33, 'a'));
+                             return frame(message);
+                           }}));
 
 struct SeatedRow {
   std::string name;

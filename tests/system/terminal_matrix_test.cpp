@@ -7,7 +7,7 @@
 namespace cnclab::harness {
 namespace {
 
-constexpr int kScreenRows = 24, kTall = 40, kColumns = 80;
+constexpr int kTall = 40;
 
 /// A terminal description, and what its keyboard sends.
 struct Kind {
@@ -34,7 +34,7 @@ class Terminals : public testing::TestWithParam<Kind> {
                                      {"LC_ALL", locale},
                                      {"XDG_STATE_HOME", (room_.folder().path() / "state").string()}},
                      .rows = rows,
-                     .columns = kColumns});
+                     .columns = kScreenColumns});
   }
   void give_part();
   Classroom room_;

@@ -10,8 +10,6 @@
 namespace cnclab::harness {
 namespace {
 
-constexpr int kScreenRows = 24, kScreenColumns = 80;
-
 ScreenRows first_rows(Terminal& terminal) {
   ScreenRows rows;
   for (int row = 0; row < kScreenRows; ++row) rows.push_back(terminal.row(row));

@@ -35,7 +35,8 @@ TEST(MachineTime, ALineTakesItsRampsAndItsWay) {
 TEST(MachineTime, LinesInOneDirectionAreOne) {
   const motion::Limits limits = machine::motion_limits({});
   MachineTime time({}, limits);
-  for (int part = 0; part < 5000; ++part) time.take(line(part * 0.02, part * 0.02 + 0.02, 1000, part + 1U));
+  for (int part = 0; part < 5000; ++part)
+    time.take(line(part * 0.02, part * 0.02 + 0.02, 1000, static_cast<std::uint64_t>(part) + 1));
   time.finish();
   EXPECT_NEAR(time.seconds(), time_of(100, 1000.0 / 60, limits), 0.02);
 }

@@ -93,6 +93,7 @@ void Console::status(const Reply& reply) const {
     status.mutable_machine()->add_damaged_data(static_cast<std::uint32_t>(number));
   const auto ticks = lab_.ticks_.statistics();
   status.mutable_ticks()->set_late(static_cast<double>(ticks.late));
+  status.mutable_ticks()->set_very_late(static_cast<double>(ticks.very_late));
   status.mutable_ticks()->set_longest_ms(static_cast<double>(ticks.longest_delay_ns) / 1e6);
   status.mutable_ticks()->set_stalls(static_cast<double>(lab_.machine_.stalls()));
   std::vector<Lab::DeskPtr> desks;

@@ -13,14 +13,14 @@ struct Console::Row {
   void (*answer)(const Console& console, const Reply& reply, const R& request);
 
   /// A request that says no more than what it is.
-  template <auto kAnswer>
+  template <auto member>
   static void bare(const Console& console, const Reply& reply, const R& /*request*/) {
-    (console.*kAnswer)(reply);
+    (console.*member)(reply);
   }
-  /// One with a message of its own, which `kPart` takes out.
-  template <auto kAnswer, auto kPart>
+  /// One with a message of its own, which `part` takes out.
+  template <auto member, auto part>
   static void with(const Console& console, const Reply& reply, const R& request) {
-    (console.*kAnswer)(reply, (request.*kPart)());
+    (console.*member)(reply, (request.*part)());
   }
 };
 

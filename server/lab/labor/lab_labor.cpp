@@ -21,7 +21,7 @@ std::vector<std::string> message_lines(const std::deque<std::string>& messages) 
       const std::size_t blank = rest.rfind(U' ', kWidth);
       const std::size_t end = blank == std::u32string::npos || blank <= indent.size() ? kWidth : blank;
       lines.push_back(to_utf8(rest.substr(0, end)));
-      rest = indent + rest.substr(rest[end] == U' ' ? end + 1 : end);
+      rest.replace(0, rest[end] == U' ' ? end + 1 : end, indent);
     }
     lines.push_back(to_utf8(rest));
   }

@@ -98,7 +98,7 @@ std::vector<std::string> texts_of(const db::StoredProgram& program) {
   return texts;
 }
 
-language::Program program_of(std::uint16_t number, const std::vector<std::string>& texts) {
+language::Program program_from(std::uint16_t number, const std::vector<std::string>& texts) {
   language::Program program{number, {}};
   for (const std::string& text : texts) {
     auto block = language::read_block(text, number);
@@ -135,13 +135,13 @@ program::ProgramSet programs_of(const Json& json, db::Database& database, db::Pe
     const auto texts = version_texts(database, person, number, version.get<int>());
     if (!texts) throw std::runtime_error(fmt::format("P{:04} version {}", number, version.get<int>()));
     const auto blocks = std::views::values(*texts);
-    language::Program program = program_of(number, {blocks.begin(), blocks.end()});
+    language::Program program = program_from(number, {blocks.begin(), blocks.end()});
     mark_damage(json, program);
     programs.put(std::move(program));
   }
   for (const auto& [key, texts] : json.at("texts").items()) {
     const std::uint16_t number = program_number(key, last_program(json));
-    language::Program program = program_of(number, texts);
+    language::Program program = program_from(number, texts);
     mark_damage(json, program);
     programs.put(std::move(program));
   }

@@ -10,7 +10,7 @@ namespace cnclab::panel {
 
 namespace {
 
-constexpr int kInputColumn = 27, kFirstRow = 3, kPromptRow = 8, kFunctionRow = 10, kRecorderRow = 11, kLineRow = 12,
+constexpr int kInputColumn = 27, kFirstRow = 3, kProgramRow = 8, kFunctionRow = 10, kRecorderRow = 11, kLineRow = 12,
               kReleaseRow = 13;
 
 struct DeviceRow {
@@ -60,10 +60,10 @@ void draw_recorder(const ControlState& state, Monitor& monitor) {
 void draw_prompt(const ExternalDataMode& mode, const ControlState& state, Monitor& monitor) {
   const std::string_view label = text(Text::program_number, state.tongue());
   const std::optional<int> number = mode.device ? mode.program.value : std::optional<int>(state.editor_program);
-  monitor.write(kPromptRow, 0, label);
-  if (number) monitor.write(kPromptRow, columns_of(label), program_word(*number));
-  if (mode.phase == ExternalDataMode::Phase::program) monitor.mark(kPromptRow, columns_of(label));
-  monitor.write(kPromptRow + 1, 0, text(Text::all_programs_hint, state.tongue()));
+  monitor.write(kProgramRow, 0, label);
+  if (number) monitor.write(kProgramRow, columns_of(label), program_word(*number));
+  if (mode.phase == ExternalDataMode::Phase::program) monitor.mark(kProgramRow, columns_of(label));
+  monitor.write(kProgramRow + 1, 0, text(Text::all_programs_hint, state.tongue()));
 }
 
 /// What binds a connection to this seat (interfaces.md section 8), and under REMOTE the release of a remote start.

@@ -92,7 +92,7 @@ void take_over(MachineDataMode& mode, ControlState& state) {
 }
 
 std::string value_text(const MachineDataMode& mode) {
-  const std::string digits = mode.value.text();
+  std::string digits = mode.value.text();
   if (mode.number != kTime && mode.number != kDate) return digits;
   return digits.substr(0, 2) + ' ' + digits.substr(2, 2) + ' ' + digits.substr(4);
 }

@@ -94,7 +94,7 @@ std::vector<std::string> environment_with(const std::vector<std::pair<std::strin
     const auto is_replaced = [&](const auto& pair) { return text.starts_with(pair.first + "="); };
     if (std::ranges::none_of(added, is_replaced)) all.emplace_back(text);
   }
-  for (const auto& [name, value] : added) all.push_back(name + "=" + value);
+  for (const auto& [name, value] : added) all.push_back(std::string(name).append("=").append(value));
   return all;
 }
 

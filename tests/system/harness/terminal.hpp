@@ -12,12 +12,14 @@
 
 namespace cnclab::harness {
 
+inline constexpr int kScreenRows = 24, kScreenColumns = 80;  ///< the smallest window that a station takes (DEC-01)
+
 struct TerminalOptions {
   std::filesystem::path program;
   std::vector<std::string> arguments;
   std::vector<std::pair<std::string, std::string>> environment;
-  int rows = 24;
-  int columns = 80;
+  int rows = kScreenRows;
+  int columns = kScreenColumns;
 };
 
 /// The program ends with the Terminal. One thread.

@@ -22,9 +22,9 @@ constexpr auto kAskLimit = 700ms;  ///< by then a START that starts has lit its 
 
 /// The lamp as it stands in the side column (DEC-01) while it is lit.
 bool has_lit_start_lamp(const harness::ScreenRows& rows) {
-  static const std::regex lamp("START *●");
+  static const std::regex kLamp("START *●");
   for (const std::string& row : rows) {
-    if (std::regex_search(row, lamp)) return true;
+    if (std::regex_search(row, kLamp)) return true;
   }
   return false;
 }
@@ -107,14 +107,14 @@ void Seat::finish() {
 bool Seat::is_started() { return has_lit_start_lamp(process_.screen()); }
 
 Point Seat::shown_position() {
-  static const std::array<std::regex, 3> counters = {std::regex("X +([+-][0-9]{4}\\.[0-9]{3})"),
-                                                     std::regex("Y +([+-][0-9]{4}\\.[0-9]{3})"),
-                                                     std::regex("Z +([+-][0-9]{4}\\.[0-9]{3})")};
+  static const std::array<std::regex, 3> kCounters = {std::regex("X +([+-][0-9]{4}\\.[0-9]{3})"),
+                                                      std::regex("Y +([+-][0-9]{4}\\.[0-9]{3})"),
+                                                      std::regex("Z +([+-][0-9]{4}\\.[0-9]{3})")};
   const std::string text = process_.text();
   Point position{};
-  for (std::size_t axis = 0; axis < counters.size(); ++axis) {
+  for (std::size_t axis = 0; axis < kCounters.size(); ++axis) {
     std::smatch found;
-    if (!std::regex_search(text, found, counters[axis])) {
+    if (!std::regex_search(text, found, kCounters[axis])) {
       throw harness::Failure(name() + ": no Istwert on the screen\n" + text);
     }
     position[axis] = std::strtod(found[1].str().c_str(), nullptr);
