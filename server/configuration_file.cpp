@@ -44,7 +44,7 @@ std::string in_quotes(std::string_view text) {
 }
 
 ConfigKey text_key(std::string_view section, std::string_view name, std::string Configuration::* member,
-                   std::string_view comment, std::vector<std::string> allowed = {}) {
+                   std::string_view comment, const std::vector<std::string>& allowed = {}) {
   return {section, name, comment,
           [member, allowed](const toml::node& node, Configuration& to) -> std::string {
             const auto value = node.value_exact<std::string>();
@@ -166,7 +166,7 @@ ConfigKey cell_key() {
 
 const std::vector<ConfigKey>& keys() {
   using C = Configuration;
-  static const std::vector<ConfigKey> all{
+  static const std::vector<ConfigKey> kAll{
       text_key("server", "listen", &C::listen, "address and port for stations and consoles"),
       data_key(),
       text_key("server", "metrics", &C::metrics, "loopback ADDR:PORT for Prometheus text, empty = off"),
@@ -203,7 +203,7 @@ const std::vector<ConfigKey>& keys() {
       switch_key("dnc", "training_start", &C::dnc_training_start, "a remote start may start training machines"),
       text_key("printer", "queue", &C::printer_queue, "CUPS queue, empty = off"),
   };
-  return all;
+  return kAll;
 }
 
 std::string place(const std::filesystem::path& file, const toml::source_region& source) {

@@ -93,7 +93,8 @@ asio::awaitable<std::expected<LoggedIn, LoginFailure>> attempt_login(Door door, 
     auto login_or_failure = judged(std::move(*client), std::move(answer));
     if (login_or_failure) login_or_failure->has_new_password = is_changed;
     co_return login_or_failure;
-  } catch (const boost::system::system_error&) {  // the line was lost: said below, where a coroutine may return
+  } catch (const boost::system::system_error&) {
+    // the line was lost: said below
   }
   co_return std::unexpected(LoginFailure(lost(door)));
 }
@@ -107,7 +108,8 @@ asio::awaitable<std::expected<LoggedIn, LoginFailure>> attempt_resume(Door door,
     resume.mutable_resume()->set_has_media(door.media.has_value());
     auto answer = co_await ask_in_time(*client, resume);
     co_return judged(std::move(*client), std::move(answer));
-  } catch (const boost::system::system_error&) {  // the line was lost: said below, where a coroutine may return
+  } catch (const boost::system::system_error&) {
+    // the line was lost: said below
   }
   co_return std::unexpected(LoginFailure(lost(door)));
 }

@@ -3,13 +3,13 @@
 
 #include <charconv>
 
+#include "shared/credential_limits.hpp"
 #include "station/cell_text.hpp"
 #include "station/form_keys.hpp"
 
 namespace cnclab::station {
 namespace {
 
-constexpr std::size_t kLongestName = 32, kLongestPassword = 256;
 constexpr int kFirstField = 7, kLabel = 4, kValue = 26, kNotice = 16, kKeys = 22, kWidth = 72;
 
 std::uint32_t number_of(const std::u32string& text) {

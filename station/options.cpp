@@ -4,13 +4,12 @@
 #include <CLI/CLI.hpp>
 #include <string_view>
 
+#include "shared/credential_limits.hpp"
 #include "station/command_fault.hpp"
 #include "station/utf8.hpp"
 
 namespace cnclab::station {
 namespace {
-
-constexpr std::size_t kLongestName = 32;  // bytes, as the server wants it
 
 // "SHA256:" and the 43 base64 digits of 32 bytes.
 bool is_fingerprint(const std::string& text) {

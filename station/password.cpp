@@ -5,13 +5,12 @@
 
 #include <fstream>
 
+#include "shared/credential_limits.hpp"
 #include "station/options.hpp"
 #include "station/utf8.hpp"
 
 namespace cnclab::station {
 namespace {
-
-constexpr std::size_t kLongestPassword = 256;
 
 std::unexpected<Ending> refused(const Text& text, const std::string& what) {
   return std::unexpected(Ending{ExitCode::usage, what + ": " + std::string(text.in(language_of_locale()))});

@@ -172,15 +172,22 @@ std::expected<void, StageFault> ContourOffset::take_way(const PathItem& item, st
   return {};
 }
 
-/// Rule 1.
-std::expected<void, StageFault> ContourOffset::begin_contour(const PathItem& item, std::vector<PathItem>& out,
-                                                             ContourCheck* check) {
+std::expected<OffsetElement, StageFault> ContourOffset::offset_beside(const PathItem& item) const {
   const auto* arc = std::get_if<Arc>(&item.what);
   if (arc != nullptr && arc->plane != order_.plane) return fault_at(StageFault::Kind::no_intersection, item);
   const OffsetElement element = offset_of(item, axes_of(order_.plane), offset_);
   if (!element.has_room())
     return fault_at(StageFault::Kind::inside_arc_too_small, item, std::min(element.start_radius, element.end_radius),
                     order_.radius_mm);
+  return element;
+}
+
+/// Rule 1.
+std::expected<void, StageFault> ContourOffset::begin_contour(const PathItem& item, std::vector<PathItem>& out,
+                                                             ContourCheck* check) {
+  const std::expected<OffsetElement, StageFault> found = offset_beside(item);
+  if (!found) return std::unexpected(found.error());
+  const OffsetElement& element = *found;
   emit_entry(element.start, out, check);
   hold(item, element, {.kind = Joint::Kind::tangent, .point = element.start});
   return {};
@@ -193,12 +200,9 @@ std::expected<void, StageFault> ContourOffset::join(const PathItem& item, std::v
     close_circle(item);
     return {};
   }
-  const auto* arc = std::get_if<Arc>(&item.what);
-  if (arc != nullptr && arc->plane != order_.plane) return fault_at(StageFault::Kind::no_intersection, item);
-  const OffsetElement element = offset_of(item, axes_of(order_.plane), offset_);
-  if (!element.has_room())
-    return fault_at(StageFault::Kind::inside_arc_too_small, item, std::min(element.start_radius, element.end_radius),
-                    order_.radius_mm);
+  const std::expected<OffsetElement, StageFault> found = offset_beside(item);
+  if (!found) return std::unexpected(found.error());
+  const OffsetElement& element = *found;
   const auto joint = joint_of(element_, element);
   if (!joint) return fault_at(joint.error(), item);
   const auto backwards = [](const OffsetElement& shape, double trims) {

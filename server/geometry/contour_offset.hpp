@@ -43,6 +43,8 @@ class ContourOffset {
                                                            ContourCheck* check);
   [[nodiscard]] std::expected<void, StageFault> take_way(const PathItem& item, std::vector<PathItem>& out,
                                                          ContourCheck* check);
+  /// What an element of the contour becomes; an error where the tool does not fit in, or the plane is another.
+  [[nodiscard]] std::expected<OffsetElement, StageFault> offset_beside(const PathItem& item) const;
   [[nodiscard]] std::expected<void, StageFault> begin_contour(const PathItem& item, std::vector<PathItem>& out,
                                                               ContourCheck* check);
   [[nodiscard]] std::expected<void, StageFault> join(const PathItem& item, std::vector<PathItem>& out,

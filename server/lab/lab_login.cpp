@@ -7,14 +7,13 @@
 #include "cnclab/v1/envelope.pb.h"
 #include "lab/lab.hpp"
 #include "lab/stored_control.hpp"
+#include "shared/credential_limits.hpp"
 #include "shared/frame.hpp"
 #include "shared/station_id.hpp"
 
 namespace cnclab::lab {
 
 namespace {
-
-constexpr std::size_t kLongestName = 32;
 
 v1::ServerMessage answer_with(v1::LoginResult result, const std::string& text) {
   v1::ServerMessage message;

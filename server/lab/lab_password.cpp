@@ -3,6 +3,7 @@
 
 #include "cnclab/v1/envelope.pb.h"
 #include "lab/lab.hpp"
+#include "shared/credential_limits.hpp"
 
 namespace cnclab::lab {
 

@@ -10,8 +10,6 @@
 
 namespace cnclab::lab {
 
-inline constexpr std::size_t kShortestPassword = 8, kLongestPassword = 256;
-
 /// Random, readable, 16 characters in groups of four without those that look alike.
 [[nodiscard]] std::string one_time_password();
 

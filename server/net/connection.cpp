@@ -46,7 +46,7 @@ void Connection::start() {
           spdlog::error("{}: {}", self->address_, error.what());
         }
         self->close();
-        if (self->visit_) self->lab_.lost(self->visit_);
+        if (const auto visit = self->visit_.lock()) self->lab_.lost(visit);
       });
 }
 
@@ -88,7 +88,7 @@ asio::awaitable<void> Connection::read_messages() {
       spdlog::warn("{}: frame that is no message", address_);
       co_return;
     }
-    if (!is_ending_) lab_.receive(visit_, message);
+    if (const auto visit = visit_.lock(); visit && !is_ending_) lab_.receive(visit, message);
   }
   // Hung up: stay until the writer has said goodbye or the time for it is over.
   boost::system::error_code ignored;

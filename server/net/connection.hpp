@@ -40,7 +40,7 @@ class Connection final : public lab::Peer, public std::enable_shared_from_this<C
   boost::asio::ssl::stream<boost::asio::ip::tcp::socket> stream_;
   lab::Lab& lab_;
   std::string address_;
-  std::shared_ptr<lab::Visit> visit_;
+  std::weak_ptr<lab::Visit> visit_;  ///< the lab keeps it until it hangs up, and it keeps this connection
   std::deque<std::string> waiting_;
   std::size_t waiting_bytes_ = 0;
   boost::asio::steady_timer wake_;      ///< rings when there is something to write

@@ -24,7 +24,7 @@ void pocket(Part& p, double gap) {
   p.from(-20, 5).left(5).line(0, 0).line(40, 0).line(40, 20).line(10, 20).line(10, gap).line(0, gap);
 }
 
-void square(Part& p) { p.line(40, 0).line(40, 40).line(0, 40).line(0, 0); }
+void square_from_corner(Part& p) { p.line(40, 0).line(40, 40).line(0, 40).line(0, 0); }
 
 std::vector<CheckRow> check_rows() {
   return {
@@ -49,16 +49,16 @@ std::vector<CheckRow> check_rows() {
       {"closed contour twice at one depth",
        [](Part& p) {
          p.from(-20, -20).right(5).line(0, 0);
-         square(p);
-         square(p);
+         square_from_corner(p);
+         square_from_corner(p);
        },
        {}},
       {"closed contour again at another depth",
        [](Part& p) {
          p.from(-20, -20).right(5).line(0, 0);
-         square(p);
+         square_from_corner(p);
          p.normal(-5);
-         square(p);
+         square_from_corner(p);
        },
        {}},
       {"run-in and run-out on arcs",
@@ -70,7 +70,7 @@ std::vector<CheckRow> check_rows() {
       {"run-out that cuts into the contour",
        [](Part& p) {
          p.from(12, -20).right(3).line(0, 0);
-         square(p);
+         square_from_corner(p);
          p.line(-30, -30).line(60, 50);  // the second line leads right across two of its sides
        },
        {{8, 3, 0}, {8, 4, 0}}},

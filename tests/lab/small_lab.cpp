@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <ranges>
 #include <stdexcept>
 #include <string_view>
 
@@ -14,14 +15,14 @@
 namespace cnclab::lab {
 
 const v1::LoginAnswer* Caller::login() const {
-  for (auto it = peer->sent.rbegin(); it != peer->sent.rend(); ++it)
-    if (it->has_login()) return &it->login();
+  for (const v1::ServerMessage& message : std::views::reverse(peer->sent))
+    if (message.has_login()) return &message.login();
   return nullptr;
 }
 
 // As weak as it gets: tests log in often, and how long a hash takes is a matter of the hash itself.
 const std::string& SmallLab::password_hash() {
-  static const std::string hash = [] {
+  static const std::string kHash = [] {
     constexpr std::string_view kPassword = "geheim123";
     std::array<char, crypto_pwhash_STRBYTES> text{};
     if (sodium_init() < 0 ||
@@ -30,7 +31,7 @@ const std::string& SmallLab::password_hash() {
       throw std::runtime_error("no password hash");
     return std::string(text.data());
   }();
-  return hash;
+  return kHash;
 }
 
 SmallLab::SmallLab(Configuration configuration) {

@@ -57,9 +57,9 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept { s
 /// Every std::mutex of the process comes by here.
 extern "C" int pthread_mutex_lock(pthread_mutex_t* mutex) noexcept {
   using Lock = int (*)(pthread_mutex_t*);
-  static const auto real = reinterpret_cast<Lock>(dlsym(RTLD_NEXT, "pthread_mutex_lock"));
+  static const auto kReal = reinterpret_cast<Lock>(dlsym(RTLD_NEXT, "pthread_mutex_lock"));
   if (counting.load()) locks.fetch_add(1);
-  return real(mutex);
+  return kReal(mutex);
 }
 
 namespace cnclab::machine {

@@ -31,7 +31,7 @@ class KeyboardBytes : public testing::Test {
   }
   [[nodiscard]] std::string state() const { return (room_.folder().path() / "state").string(); }
   bool is_halted() {
-    return eventually(kLimit, [&] { return room_.instructor().status()["halted_by"] != ""; });
+    return eventually(kLimit, [&] { return !room_.instructor().status()["halted_by"].get<std::string>().empty(); });
   }
   void clear() {
     room_.instructor().must({"clear-halt"});

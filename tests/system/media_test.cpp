@@ -98,13 +98,13 @@ TEST_F(Media, DEC_57_WhatIsNotWholeAndRightChangesNothing) {
     const char* name;
     std::string text;
     const char* complaint;
-  } kRows[] = {
+  } rows[] = {
       {"a block that is none", "P0001N001G00X+1\nN002G77\n%\n", "P0001 N002"},
       {"too much for the memory", "", "Speicher voll"},
       {"small letters alone (DEC-30)", "hallo\n", "Kleinbuchstaben"},
       {"nothing in it", "%\n", "P0001N001"},
   };
-  for (const auto& row : kRows) {
+  for (const auto& row : rows) {
     std::string text = row.text;
     for (int block = 1; text.size() < 60'000 && row.text.empty(); ++block)
       text += (block - 1) % 900 == 0 ? "P" + std::to_string(1000 + block) + "N001G00X+1\n"

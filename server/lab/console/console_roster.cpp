@@ -4,6 +4,7 @@
 #include "lab/console/console_ask.hpp"
 #include "lab/console/roster_csv.hpp"
 #include "language/check_block.hpp"
+#include "shared/credential_limits.hpp"
 
 namespace cnclab::lab {
 

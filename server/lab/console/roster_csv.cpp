@@ -11,12 +11,12 @@
 #include <span>
 
 #include "lab/passwords.hpp"
+#include "shared/credential_limits.hpp"
 
 namespace cnclab::lab {
 
 namespace {
 
-constexpr std::size_t kLongestName = 32;
 constexpr std::size_t kMostFields = 3;
 constexpr std::string_view kHeading = "name,password,language";
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";  // what spreadsheets put in front
