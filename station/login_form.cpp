@@ -10,7 +10,7 @@
 namespace cnclab::station {
 namespace {
 
-constexpr int kFirstField = 7, kLabel = 4, kValue = 26, kNotice = 16, kKeys = 22, kWidth = 72;
+constexpr int kFirstField = 7, kLabel = 4, kValue = 26, kNotice = 16, kLeadRow = 22, kWidth = 72;
 
 std::uint32_t number_of(const std::u32string& text) {
   const std::string digits = to_utf8(text);
@@ -175,8 +175,8 @@ Screen LoginForm::screen() const {
   for (std::size_t i = 0; i < fields_.size(); ++i) draw_field(screen, kFirstField + 2 * static_cast<int>(i), i);
   int row = kNotice;
   for (const std::string& line : wrapped(notice_, kWidth))
-    if (row < kKeys - 1) screen.write(row++, kLabel, line, Attribute::inverse);
-  screen.write(kKeys, kLabel,
+    if (row < kLeadRow - 1) screen.write(row++, kLabel, line, Attribute::inverse);
+  screen.write(kLeadRow, kLabel,
                said("Enter weiter   Tab nächstes Feld   Esc beendet", "Enter next   Tab next field   Esc ends"));
   return screen;
 }
