@@ -199,7 +199,7 @@ const std::vector<ConfigKey>& keys() {
                  kLeastManualSilence_ms, 300),
       number_key("lab", "silence_lease_ms", &C::silence_lease_ms, "silence that ends control", 100, 1000),
       number_key("lab", "journal_days", &C::journal_days, "how long the journal is kept", 1, 3650),
-      number_key("lab", "undo_days", &C::undo_days, "how long removed students can be restored", 1, 3650),
+      number_key("lab", "undo_days", &C::undo_days, "how long removed people can come back (student restore)", 1, 3650),
       model_key(),
       switch_key("control", "planned_functions", &C::planned_functions, "functions that the manual marks as planned"),
       text_key("control", "rests", &C::rests, "rests below one step: exact or original", {"exact", "original"}),
@@ -271,7 +271,11 @@ std::expected<lab::Configuration, std::string> parsed(const std::filesystem::pat
 std::expected<lab::Configuration, std::string> read_configuration(const std::filesystem::path& file) {
   std::ifstream in(file, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
-  if (!in) return std::unexpected(fmt::format("{}: the file cannot be read", file.string()));
+  if (!in)
+    return std::unexpected(
+        fmt::format("{}: the file cannot be read. Is the path of --config right, may this user read "
+                    "it? A file with every key: cnclab-server --print-config > lab.toml",
+                    file.string()));
   return parse_configuration(text, file);
 }
 

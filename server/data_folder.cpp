@@ -136,6 +136,9 @@ std::expected<DataFolder, std::string> open_data_folder(const fs::path& folder) 
 }
 
 std::expected<std::string, std::string> renew_instructor_password(const fs::path& folder) {
+  if (std::error_code error; !fs::exists(folder / kDatabase, error))  // nothing is made for a slip of the pen
+    return std::unexpected("there is no lab in " + folder.string() + ": it has no " + kDatabase +
+                           ". Give the data folder of the lab with --data DIR");
   auto database = open_database(folder);
   if (!database) return std::unexpected(database.error());
   auto person = database->person(kInstructor);

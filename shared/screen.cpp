@@ -108,6 +108,13 @@ std::string to_utf8(std::u32string_view text) {
   return utf8;
 }
 
+std::string shortened(std::string_view utf8, std::size_t columns) {
+  const std::u32string text = from_utf8(utf8);
+  if (text.size() <= columns) return std::string(utf8);
+  const std::size_t end = (columns - 1) / 2, begin = columns - 1 - end;
+  return to_utf8(text.substr(0, begin) + U'…' + text.substr(text.size() - end));
+}
+
 std::u32string from_utf8(std::string_view utf8) {
   std::u32string codes;
   while (!utf8.empty()) {

@@ -48,5 +48,8 @@ class Screen {
 [[nodiscard]] std::string to_utf8(char32_t code);
 [[nodiscard]] std::string to_utf8(std::u32string_view text);
 [[nodiscard]] std::u32string from_utf8(std::string_view utf8);
+/// The text in at most `columns`, 3 or more; of a longer one its middle is left out, so that names that differ at their
+/// ends still do: "schuel…26-01".
+[[nodiscard]] std::string shortened(std::string_view utf8, std::size_t columns);
 
 }  // namespace cnclab

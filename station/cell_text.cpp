@@ -57,6 +57,7 @@ constexpr auto kLikenesses = std::to_array<std::pair<char32_t, char>>({
     {U'»', '>'},
     {U'°', 'o'},
     {U'±', '+'},
+    {U'−', '-'},
     {U'×', 'x'},
     {U'·', '.'},
     {U'•', '*'},
@@ -98,34 +99,73 @@ char32_t ascii_likeness(char32_t code) {
 
 bool is_frame(char32_t code) { return code >= 0x2500 && code < 0x2580; }
 
-// Where the text behind an arrow ends: a blank column that it may take, followed by another or by the field's end.
-std::optional<int> room_behind(const Screen& screen, int row, int arrow) {
-  for (int column = arrow + 1; column < Screen::kColumns; ++column) {
-    const char32_t code = screen.at(row, column).code;
-    if (is_frame(code)) return std::nullopt;
-    if (code != U' ') continue;
+bool is_small_letter(char32_t code) {
+  return (code >= U'a' && code <= U'z') || std::u32string_view(U"äöüß").contains(code);
+}
+
+// A sign whose likeness is two characters, and how it is written before a small letter and else: "Ändern", "LÖSCHEN".
+struct WideSign {
+  char32_t code;
+  std::string_view before_small, else_;
+};
+
+constexpr WideSign kWideSigns[] = {{U'→', "->", "->"}, {U'±', "+-", "+-"}, {U'ä', "ae", "ae"},
+                                   {U'ö', "oe", "oe"}, {U'ü', "ue", "ue"}, {U'ß', "ss", "ss"},
+                                   {U'Ä', "Ae", "AE"}, {U'Ö', "Oe", "OE"}, {U'Ü', "Ue", "UE"}};
+
+// Two characters in place of `code` with `next` behind it; nothing where one will do.
+std::optional<std::string_view> wide_likeness(char32_t code, char32_t next) {
+  const auto* const sign = std::ranges::find(kWideSigns, code, &WideSign::code);
+  if (sign == std::end(kWideSigns)) return std::nullopt;
+  return is_small_letter(next) ? sign->before_small : sign->else_;
+}
+
+// A column that text may take: what is marked stays marked, a cursor stays one.
+bool is_free(const Cell& cell, Attribute of_text) {
+  return cell.code == U' ' && (cell.attribute == Attribute::normal || cell.attribute == of_text);
+}
+
+// Where the text behind a sign ends: a blank column that it may take, followed by another or by the field's end.
+std::optional<int> room_behind(const Screen& screen, int row, int sign) {
+  const Attribute attribute = screen.at(row, sign).attribute;
+  for (int column = sign + 1; column < Screen::kColumns; ++column) {
+    const Cell& cell = screen.at(row, column);
+    if (is_frame(cell.code)) return std::nullopt;
+    if (!is_free(cell, attribute)) continue;
     const bool is_last = column + 1 == Screen::kColumns;
-    const char32_t next = is_last ? U' ' : screen.at(row, column + 1).code;
-    if (next == U' ' || is_frame(next)) return column;
+    if (is_last) return column;
+    const Cell& next = screen.at(row, column + 1);
+    if (is_free(next, attribute) || is_frame(next.code)) return column;
   }
   return std::nullopt;
 }
 
 }  // namespace
 
-Screen with_wide_arrows(Screen screen) {
+Screen spelled_out(Screen screen) {
   for (int row = 0; row < Screen::kRows; ++row) {
     for (int column = 0; column < Screen::kColumns; ++column) {
-      const Cell arrow = screen.at(row, column);
-      if (arrow.code != U'→') continue;
-      const auto room = room_behind(screen, row, column);
+      const Cell sign = screen.at(row, column);
+      const char32_t next = column + 1 < Screen::kColumns ? screen.at(row, column + 1).code : U' ';
+      const auto likeness = wide_likeness(sign.code, next);
+      const auto room = likeness ? room_behind(screen, row, column) : std::nullopt;
       if (!room) continue;
       for (int to = *room; to > column + 1; --to) screen.put(row, to, screen.at(row, to - 1));
-      screen.put(row, column, {U'-', arrow.attribute});
-      screen.put(row, ++column, {U'>', arrow.attribute});
+      screen.put(row, column, {static_cast<char32_t>(likeness->front()), sign.attribute});
+      screen.put(row, ++column, {static_cast<char32_t>(likeness->back()), sign.attribute});
     }
   }
   return screen;
+}
+
+std::string spelled_out(std::string_view text) {
+  const std::u32string codes = from_utf8(text);
+  std::string spelled;
+  for (std::size_t i = 0; i < codes.size(); ++i) {
+    const auto likeness = wide_likeness(codes[i], i + 1 < codes.size() ? codes[i + 1] : U' ');
+    spelled += likeness ? std::string(*likeness) : to_utf8(codes[i]);
+  }
+  return spelled;
 }
 
 char32_t shown_code(char32_t code, Glyphs glyphs) {
@@ -139,6 +179,21 @@ std::string printable(std::string_view text) {
   std::string line;
   for (const char32_t code : from_utf8(text)) line += is_control(code) ? std::string(" ") : to_utf8(code);
   return line;
+}
+
+std::vector<std::string> wrapped(std::string_view text, std::size_t columns) {
+  std::vector<std::string> lines;
+  for (std::u32string rest = from_utf8(text); !rest.empty();) {
+    std::size_t end = std::min(rest.size(), columns);
+    if (end < rest.size()) {
+      const std::size_t blank = rest.rfind(U' ', end);
+      if (blank != std::u32string::npos && blank > 0) end = blank;
+    }
+    lines.push_back(to_utf8(rest.substr(0, end)));
+    rest.erase(0, end);
+    if (rest.starts_with(U' ')) rest.erase(0, 1);
+  }
+  return lines;
 }
 
 }  // namespace cnclab::station

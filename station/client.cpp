@@ -19,8 +19,8 @@
 #include "shared/frame.hpp"
 #include "shared/tls.hpp"
 #include "station/cell_text.hpp"
+#include "station/connect_trouble.hpp"
 #include "station/known_hosts.hpp"
-#include "station/language.hpp"
 
 namespace cnclab::station {
 
@@ -73,12 +73,10 @@ class Watchdog {
   asio::steady_timer timer_;
 };
 
-ConnectError unreachable(const Address& address, const std::string& reason) {
-  return {ExitCode::cannot_connect,
-          fmt::format(fmt::runtime(in_language_of_locale(
-                          "Kein Anschluss an {}:{}: {}. Läuft der Server, stimmt die Adresse?",
-                          "Cannot connect to {}:{}: {}. Is the server running, is the address right?")),
-                      address.host, address.port, reason)};
+ConnectError unreachable(const Address& address, const std::string& reason, Language language) {
+  constexpr Text kText{"Kein Anschluss an {}:{}: {}. Läuft der Server, stimmt die Adresse?",
+                       "Cannot connect to {}:{}: {}. Is the server running, is the address right?"};
+  return {ExitCode::cannot_connect, fmt::format(fmt::runtime(kText.in(language)), address.host, address.port, reason)};
 }
 
 ConnectError wrong_version(const v1::Welcome& welcome) {
@@ -151,7 +149,8 @@ std::optional<Address> parse_address(const std::string& text) {
 }
 
 asio::awaitable<std::expected<Client, ConnectError>> Client::connect(Address address, Trust trust, int client_kind,
-                                                                     std::chrono::milliseconds deadline) {
+                                                                     std::chrono::milliseconds deadline,
+                                                                     Language language) {
   const auto executor = co_await asio::this_coro::executor;
   const auto impl = std::make_shared<Impl>(executor);
   const Watchdog watchdog(executor, deadline, [impl] { impl->close(); });
@@ -170,13 +169,13 @@ asio::awaitable<std::expected<Client, ConnectError>> Client::connect(Address add
     impl->welcome = std::move(*welcome);
     co_return Client(impl);
   } catch (const system_error& error) {
-    reason = error.code().message();
+    reason = connect_trouble(error.code(), language);
   }
   if (watchdog.has_bitten()) {
-    reason = fmt::format(fmt::runtime(in_language_of_locale("keine Antwort in {} s", "no answer within {} s")),
-                         static_cast<double>(deadline.count()) / 1000);
+    constexpr Text kSilent{"keine Antwort in {} s", "no answer within {} s"};
+    reason = fmt::format(fmt::runtime(kSilent.in(language)), static_cast<double>(deadline.count()) / 1000);
   }
-  co_return std::unexpected(unreachable(address, reason));
+  co_return std::unexpected(unreachable(address, reason, language));
 }
 
 Client::Client(std::shared_ptr<Impl> impl) : impl_(std::move(impl)) {}

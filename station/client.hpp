@@ -11,6 +11,8 @@
 #include <optional>
 #include <string>
 
+#include "station/language.hpp"
+
 namespace cnclab::v1 {
 class ClientMessage;
 class ServerMessage;
@@ -61,9 +63,11 @@ class Client {
 
   /// Connects, shakes hands, judges the certificate and exchanges Hello for Welcome.
   /// client_kind  a v1::ClientKind
+  /// language     of the error where there is no connection
   /// errors       cannot_connect, certificate_differs, protocol_version, or what the server's Bye says
   [[nodiscard]] static boost::asio::awaitable<std::expected<Client, ConnectError>> connect(
-      Address address, Trust trust, int client_kind, std::chrono::milliseconds deadline = kConnectDeadline);
+      Address address, Trust trust, int client_kind, std::chrono::milliseconds deadline = kConnectDeadline,
+      Language language = language_of_locale());
   Client(Client&&) noexcept;
   Client& operator=(Client&&) noexcept;
   ~Client();

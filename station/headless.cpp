@@ -22,7 +22,7 @@ constexpr Text kOnlyLook{"error nur zusehen: diese Anmeldung darf keine Tasten d
 }  // namespace
 
 std::string screen_reply(const Screen& stands, bool is_ascii) {
-  const Screen screen = is_ascii ? with_wide_arrows(stands) : stands;
+  const Screen screen = is_ascii ? spelled_out(stands) : stands;
   std::string reply;
   for (int row = 0; row < Screen::kRows; ++row) {
     reply += '|';
@@ -34,7 +34,7 @@ std::string screen_reply(const Screen& stands, bool is_ascii) {
 }
 
 std::string marks_reply(const Screen& stands, bool is_ascii) {
-  const Screen screen = is_ascii ? with_wide_arrows(stands) : stands;
+  const Screen screen = is_ascii ? spelled_out(stands) : stands;
   std::string reply;
   for (int row = 0; row < Screen::kRows; ++row) {
     for (int column = 0; column < Screen::kColumns;) {

@@ -73,7 +73,7 @@ Parsed parse_key(Words& words) {
 
 Parsed parse_hold(Words& words) {
   const auto duration_ms = words.number(kLongest_ms);
-  if (!duration_ms)
+  if (!duration_ms || words.is_empty())
     return words.wrong("hold MS NAME[+NAME…], MS von 0 bis 600000", "hold MS NAME[+NAME…], MS 0 to 600000");
   const std::string_view name = words.next();
   const Chord chord = chord_of(name);

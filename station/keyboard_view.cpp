@@ -2,6 +2,7 @@
 #include "station/keyboard_view.hpp"
 
 #include "shared/screen.hpp"
+#include "station/cell_text.hpp"
 
 namespace cnclab::station {
 namespace {
@@ -30,14 +31,28 @@ std::string abbreviated(const std::string& name, int width) {
   return cut + ".";
 }
 
-KeyCap cap_of(const Binding& binding, int row, int column, int width, Language language) {
-  std::string hint = abbreviated(input_name(binding.inputs.front(), language), width);
-  return {&binding, row, column, width, std::string(binding.cap.in(language)), std::move(hint)};
+/// How the caps are written.
+struct Script {
+  Language language;
+  bool is_ascii;
+  [[nodiscard]] std::string fitted(const std::string& text, int width) const {
+    return abbreviated(is_ascii ? spelled_out(std::string_view(text)) : text, width);
+  }
+};
+
+KeyCap cap_of(const Binding& binding, int row, int column, int width, const Script& script) {
+  return {&binding,
+          row,
+          column,
+          width,
+          script.fitted(std::string(binding.cap.in(script.language)), width),
+          script.fitted(input_name(binding.inputs.front(), script.language), width)};
 }
 
 }  // namespace
 
-KeyboardView::KeyboardView(Language language) {
+KeyboardView::KeyboardView(Language language, bool is_ascii) {
+  const Script script{language, is_ascii};
   for (const Area& area : kAreas) {
     titles_.push_back({area.column, std::string(area.title.in(language))});
     int index = 0;
@@ -45,14 +60,14 @@ KeyboardView::KeyboardView(Language language) {
       if (binding.group != area.group) continue;
       const int row = 1 + 2 * (index / area.keys_in_row);
       const int column = area.column + (index % area.keys_in_row) * (area.width + 1);
-      caps_.push_back(cap_of(binding, row, column, area.width, language));
+      caps_.push_back(cap_of(binding, row, column, area.width, script));
       ++index;
     }
   }
   int column = 0;
   for (const Binding& binding : keymap()) {
     if (binding.group != KeyGroup::lab || binding.cap.german.empty()) continue;
-    caps_.push_back(cap_of(binding, kLabRow, column, kLabWidth, language));
+    caps_.push_back(cap_of(binding, kLabRow, column, kLabWidth, script));
     column += kLabWidth + 1;
   }
 }

@@ -25,7 +25,7 @@ class KeyboardView {
  public:
   static constexpr int kRows = 12;  ///< below the monitor's 24: a terminal of 36 rows shows it
 
-  explicit KeyboardView(Language language);
+  explicit KeyboardView(Language language, bool is_ascii = false);
 
   [[nodiscard]] const std::vector<KeyCap>& caps() const { return caps_; }
   /// The cap at this place, nothing between the caps.

@@ -72,15 +72,15 @@ ConnectError differs_from_given(const std::string& given, const std::string& sho
 }
 
 ConnectError differs_from_known(const fs::path& file, int line, const std::string& known, const std::string& shown) {
-  return {
-      ExitCode::certificate_differs,
-      fmt::format(fmt::runtime(in_language_of_locale(
-                      "Der Server zeigt ein anderes Zertifikat als bisher: bekannt {}, gezeigt {}. Entweder wurde der "
-                      "Server neu eingerichtet, oder jemand gibt sich für ihn aus. Erst beim Lehrer nachfragen, dann "
-                      "{} Zeile {} löschen.",
-                      "The server shows another certificate than before: known {}, shown {}. Either the server was "
-                      "set up anew, or somebody poses as it. Ask the instructor first, then delete {} line {}.")),
-                  known, shown, file.string(), line)};
+  return {ExitCode::certificate_differs,
+          fmt::format(
+              fmt::runtime(in_language_of_locale(
+                  "Der Server zeigt ein anderes Zertifikat als bisher: bekannt {}, gezeigt {}. Entweder wurde der "
+                  "Server neu eingerichtet, oder jemand gibt sich für ihn aus. Erst bei der Lehrkraft nachfragen, dann "
+                  "{} Zeile {} löschen.",
+                  "The server shows another certificate than before: known {}, shown {}. Either the server was "
+                  "set up anew, or somebody poses as it. Ask the instructor first, then delete {} line {}.")),
+              known, shown, file.string(), line)};
 }
 
 std::string address_text(const Address& address) {

@@ -20,11 +20,15 @@ namespace {
 // Longer than the server needs to hash a room full of passwords one after the other (SEC-002).
 constexpr std::chrono::seconds kAnswerDeadline{30};
 
-Ending lost(const Address& address) {
+asio::awaitable<std::expected<Client, ConnectError>> connect_through(const Door& door) {
+  return Client::connect(door.address, door.trust, door.kind, Client::kConnectDeadline, door.language);
+}
+
+Ending lost(const Door& door) {
   constexpr Text kText{"{}:{} hat die Verbindung während der Anmeldung beendet. Noch einmal versuchen.",
                        "{}:{} ended the connection during the login. Try again."};
   return {ExitCode::cannot_connect,
-          fmt::format(fmt::runtime(kText.in(language_of_locale())), address.host, address.port)};
+          fmt::format(fmt::runtime(kText.in(door.language)), door.address.host, door.address.port)};
 }
 
 // Sends one message and reads its LoginAnswer; a Bye instead ends.
@@ -74,7 +78,7 @@ v1::ClientMessage login_message(const Credentials& credentials, bool has_media) 
 }  // namespace
 
 asio::awaitable<std::expected<LoggedIn, LoginFailure>> attempt_login(Door door, Credentials credentials) {
-  auto client = co_await Client::connect(door.address, door.trust, door.kind);
+  auto client = co_await connect_through(door);
   if (!client) co_return std::unexpected(LoginFailure(std::move(client.error())));
   try {
     const v1::ClientMessage login = login_message(credentials, door.media.has_value());
@@ -92,11 +96,11 @@ asio::awaitable<std::expected<LoggedIn, LoginFailure>> attempt_login(Door door, 
   } catch (const boost::system::system_error&) {
     // the line was lost: said below
   }
-  co_return std::unexpected(LoginFailure(lost(door.address)));
+  co_return std::unexpected(LoginFailure(lost(door)));
 }
 
 asio::awaitable<std::expected<LoggedIn, LoginFailure>> attempt_resume(Door door, std::string ticket) {
-  auto client = co_await Client::connect(door.address, door.trust, door.kind);
+  auto client = co_await connect_through(door);
   if (!client) co_return std::unexpected(LoginFailure(std::move(client.error())));
   try {
     v1::ClientMessage resume;
@@ -107,7 +111,7 @@ asio::awaitable<std::expected<LoggedIn, LoginFailure>> attempt_resume(Door door,
   } catch (const boost::system::system_error&) {
     // the line was lost: said below
   }
-  co_return std::unexpected(LoginFailure(lost(door.address)));
+  co_return std::unexpected(LoginFailure(lost(door)));
 }
 
 asio::awaitable<std::expected<LoggedIn, Ending>> log_in(Door door, Credentials credentials, bool ask_first, Asker ask,
@@ -116,7 +120,7 @@ asio::awaitable<std::expected<LoggedIn, Ending>> log_in(Door door, Credentials c
     if (must_ask) {
       LoginQuestion question{credentials, {}, refusal};
       {
-        const auto client = co_await Client::connect(door.address, door.trust, door.kind);
+        const auto client = co_await connect_through(door);
         if (!client) co_return std::unexpected(client.error());
         question.welcome = client->welcome();
       }
@@ -142,14 +146,11 @@ std::string refusal_text(const v1::LoginAnswer& answer, Language language) {
                   answer.wait_seconds());
     case v1::LOGIN_RESULT_SEAT_TAKEN:
       return said("Der Platz ist besetzt: {}. Einen anderen Platz wählen.",
-                  "The seat is taken: {}. Choose another one.", answer.occupant());
+                  "The station is taken: {}. Choose another one.", answer.occupant());
     case v1::LOGIN_RESULT_ELSEWHERE:
-      return said("Schon angemeldet an Platz {}: --take-over übernimmt, --look-on sieht zu.",
-                  "Already logged in at station {}: --take-over takes over, --look-on looks on.",
-                  answer.other_station());
+      return said("Schon angemeldet an Platz {}.", "Already logged in at station {}.", answer.other_station());
     case v1::LOGIN_RESULT_PASSWORD_EXPIRED:
-      return said("Ein neues Passwort ist nötig: --new-password-file angeben oder im Formular eingeben.",
-                  "A new password is needed: give --new-password-file or enter it in the form.");
+      return said("Bitte ein neues Passwort wählen.", "Please choose a new password.");
     case v1::LOGIN_RESULT_NOT_ALLOWED:
       return said("Diese Rolle darf das nicht.", "This role may not do that.");
     case v1::LOGIN_RESULT_TICKET_VOID:
@@ -167,6 +168,17 @@ std::string refusal_text(const v1::LoginAnswer& answer, Language language) {
 }
 
 Ending ending_of(const v1::LoginAnswer& answer, Language language) {
+  const auto said = [&](std::string_view german, std::string_view english, auto... values) {
+    return fmt::format(fmt::runtime(Text{german, english}.in(language)), values...);
+  };
+  if (answer.result() == v1::LOGIN_RESULT_ELSEWHERE)
+    return {
+        ExitCode::login_refused,
+        said("Schon angemeldet an Platz {}: --take-over übernimmt, --look-on sieht zu.",
+             "Already logged in at station {}: --take-over takes over, --look-on looks on.", answer.other_station())};
+  if (answer.result() == v1::LOGIN_RESULT_PASSWORD_EXPIRED)
+    return {ExitCode::login_refused, said("Ein neues Passwort ist nötig: --new-password-file angeben.",
+                                          "A new password is needed: give --new-password-file.")};
   const bool is_taken = answer.result() == v1::LOGIN_RESULT_SEAT_TAKEN;
   return {is_taken ? ExitCode::seat_taken : ExitCode::login_refused, refusal_text(answer, language)};
 }
@@ -175,7 +187,7 @@ Ending ending_of(std::uint32_t exit_code, const std::string& text, Language lang
   const ExitCode code = exit_code_of(exit_code);
   if (!text.empty() || code == ExitCode::ended_by_user) return {code, printable(text)};
   constexpr Text kReplaced{"Von einer anderen Anmeldung abgelöst.", "Replaced by another login."};
-  constexpr Text kExpelled{"Der Lehrer hat die Verbindung beendet.", "The instructor ended the connection."};
+  constexpr Text kExpelled{"Die Lehrkraft hat die Verbindung beendet.", "The instructor ended the connection."};
   constexpr Text kEnded{"Der Server hat die Verbindung beendet.", "The server ended the connection."};
   const Text& own = code == ExitCode::replaced ? kReplaced : code == ExitCode::expelled ? kExpelled : kEnded;
   return {code, std::string(own.in(language))};

@@ -26,7 +26,8 @@ struct Door {
   Address address;
   Trust trust;
   v1::ClientKind kind = v1::CLIENT_KIND_STATION;
-  std::optional<MediaPlace> media = {};  ///< for the files of EXTERNE DATEN; nothing: there are none here
+  std::optional<MediaPlace> media = {};      ///< for the files of EXTERNE DATEN; nothing: there are none here
+  Language language = language_of_locale();  ///< of what is said where there is no connection
 };
 
 struct Credentials {
@@ -69,7 +70,7 @@ using Asker = std::function<boost::asio::awaitable<std::expected<Credentials, En
 
 /// The server's sentence, or one of our own where it sent none.
 [[nodiscard]] std::string refusal_text(const v1::LoginAnswer& answer, Language language);
-/// Exit code 7 for a taken seat, 4 otherwise.
+/// As it is told where no form can ask: with the options that help. Exit code 7 for a taken seat, 4 otherwise.
 [[nodiscard]] Ending ending_of(const v1::LoginAnswer& answer, Language language);
 /// What a Bye means for this program; unknown codes count as server_ended.
 [[nodiscard]] Ending ending_of(std::uint32_t exit_code, const std::string& text, Language language);

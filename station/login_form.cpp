@@ -10,28 +10,13 @@
 namespace cnclab::station {
 namespace {
 
-constexpr int kFirstField = 7, kLabel = 4, kValue = 26, kNotice = 16, kWidth = 72;
+constexpr int kFirstField = 7, kLabel = 4, kValue = 26, kNotice = 16, kLeadRow = 22, kWidth = 72;
 
 std::uint32_t number_of(const std::u32string& text) {
   const std::string digits = to_utf8(text);
   std::uint32_t number = 0;
   std::from_chars(digits.data(), digits.data() + digits.size(), number);
   return number;
-}
-
-// Breaks at blanks.
-void write_wrapped(Screen& screen, int row, int column, std::string_view text, Attribute attribute) {
-  std::u32string rest = from_utf8(text);
-  for (; !rest.empty() && row < Screen::kRows - 1; ++row) {
-    std::size_t end = std::min<std::size_t>(rest.size(), kWidth);
-    if (end < rest.size()) {
-      const std::size_t blank = rest.rfind(U' ', end);
-      if (blank != std::u32string::npos && blank > 0) end = blank;
-    }
-    screen.write(row, column, to_utf8(rest.substr(0, end)), attribute);
-    rest.erase(0, end);
-    if (rest.starts_with(U' ')) rest.erase(0, 1);
-  }
 }
 
 }  // namespace
@@ -45,6 +30,8 @@ LoginForm::LoginForm(const LoginQuestion& question, bool is_seat_fixed, bool is_
   } else if (result == v1::LOGIN_RESULT_PASSWORD_EXPIRED || result == v1::LOGIN_RESULT_PASSWORD_WEAK) {
     add_new_password_fields();
   } else {
+    const bool is_other_seat_needed = result == v1::LOGIN_RESULT_SEAT_TAKEN && !is_seat_fixed;
+    if (is_other_seat_needed) question_.so_far.station = 0;
     add_login_fields(is_seat_fixed, is_user_fixed);
   }
 }
@@ -152,6 +139,8 @@ Credentials LoginForm::credentials() const {
   return entered;
 }
 
+void LoginForm::renew_seats(const v1::Welcome& welcome) { *question_.welcome.mutable_seats() = welcome.seats(); }
+
 std::string LoginForm::free_seats() const {
   std::string seats;
   for (const v1::Seat& seat : question_.welcome.seats()) {
@@ -184,8 +173,10 @@ Screen LoginForm::screen() const {
                     "The lab records keys, programs and runs (journal)."),
                Attribute::dim);
   for (std::size_t i = 0; i < fields_.size(); ++i) draw_field(screen, kFirstField + 2 * static_cast<int>(i), i);
-  write_wrapped(screen, kNotice, kLabel, notice_, Attribute::inverse);
-  screen.write(22, kLabel,
+  int row = kNotice;
+  for (const std::string& line : wrapped(notice_, kWidth))
+    if (row < kLeadRow - 1) screen.write(row++, kLabel, line, Attribute::inverse);
+  screen.write(kLeadRow, kLabel,
                said("Enter weiter   Tab nächstes Feld   Esc beendet", "Enter next   Tab next field   Esc ends"));
   return screen;
 }

@@ -20,6 +20,8 @@ class LoginForm {
   LoginForm(const LoginQuestion& question, bool is_seat_fixed, bool is_user_fixed, Language language);
 
   State handle(const Input& input);
+  /// Others have come and gone while the form was filled in.
+  void renew_seats(const v1::Welcome& welcome);
   [[nodiscard]] Screen screen() const;
   /// What was entered, once submitted.
   [[nodiscard]] Credentials credentials() const;

@@ -1,8 +1,6 @@
 // One loop: take what has arrived, draw, wait for the next change or deadline.
 #include "station/monitor.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -43,10 +41,8 @@ std::string centred(const std::string& text, int width) {
 
 bool has_room(Terminal& terminal, Language language) {
   if (terminal.rows() >= Screen::kRows && terminal.columns() >= Screen::kColumns) return true;
-  constexpr Text kText{"Fenster zu klein: 80×24 Zeichen nötig, es hat {}×{}.",
-                       "Window too small: 80×24 needed, it has {}×{}."};
   terminal.clear();
-  terminal.write(0, 0, fmt::format(fmt::runtime(kText.in(language)), terminal.columns(), terminal.rows()));
+  terminal.write(0, 0, too_small_text(terminal.rows(), terminal.columns(), language));
   terminal.flush();
   return false;
 }
@@ -248,15 +244,18 @@ void Monitor::sound() {
 }
 
 Screen Monitor::shown() const {
-  Screen screen = session_.screen();
   const Language language = session_.language();
-  if (view_ == View::help) return help_screen(help_start_, language);
-  if (session_.is_lost()) {
-    const auto since = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - session_.lost_since());
-    screen = with_lost_line(screen, since, session_.trouble(), language);
+  const auto since = std::chrono::duration_cast<std::chrono::seconds>(Clock::now() - session_.lost_since());
+  if (view_ == View::help) {
+    const Screen help = help_screen(help_start_, language);
+    return session_.is_lost() ? with_lost_heading(help, since, language) : help;
   }
+  const bool looks_on = !session_.may_press();
+  Screen screen = session_.screen();
+  if (looks_on) screen = with_looking_on(screen, session_.station(), language);
+  if (session_.is_lost()) screen = with_lost_line(screen, since, session_.trouble(), language);
   if (view_ == View::new_password) return password_.over(screen, language);
-  return view_ == View::log_out_question ? with_log_out_question(screen, language) : screen;
+  return view_ == View::log_out_question ? with_log_out_question(screen, looks_on, language) : screen;
 }
 
 void Monitor::draw() {
@@ -268,7 +267,7 @@ void Monitor::draw() {
 }
 
 void Monitor::draw_keyboard() {
-  const KeyboardView keyboard(session_.language());
+  const KeyboardView keyboard(session_.language(), terminal_.is_ascii());
   for (const auto& title : keyboard.titles()) terminal_.write(Screen::kRows, title.column, title.text, Attribute::dim);
   for (const KeyCap& cap : keyboard.caps()) {
     const bool is_lit = cap.binding == lit_ && Clock::now() < lit_until_;

@@ -2,7 +2,10 @@
 #include "station/options.hpp"
 
 #include <CLI/CLI.hpp>
+#include <string_view>
 
+#include "shared/credential_limits.hpp"
+#include "station/command_fault.hpp"
 #include "station/utf8.hpp"
 
 namespace cnclab::station {
@@ -23,8 +26,9 @@ struct Raw {
 };
 
 void declare(CLI::App& app, Raw& raw) {
-  app.add_option("--server", raw.server, "lab server, HOST:PORT")->required();
-  auto* const station = app.add_option("--station", raw.station, "seat, 1 to 15")->check(CLI::Range(1, 15));
+  app.add_option("--server", raw.server, "lab server")->type_name("HOST:PORT")->required();
+  auto* const station =
+      app.add_option("--station", raw.station, "seat, 1 to 15")->type_name("1-15")->check(CLI::Range(1, 15));
   app.add_option("--user", raw.user, "name; without --station or --user a form shows the free seats");
   app.add_option("--password-file", raw.password_file, "first line is the password; otherwise asked for");
   app.add_option("--new-password-file", raw.new_password_file, "answers a forced password change");
@@ -32,8 +36,10 @@ void declare(CLI::App& app, Raw& raw) {
   app.add_option("--media", raw.media,
                  "folder of the tapes, diskettes and printed pages; by default one of each student's own below\n"
                  "$XDG_DATA_HOME/cnclab/media (~/.local/share/cnclab/media)")
+      ->type_name("FOLDER")
       ->check(CLI::ExistingDirectory);
   app.add_option("--observe", raw.observe, "look at station N (instructors and observers)")
+      ->type_name("1-15")
       ->check(CLI::Range(1, 15))
       ->excludes(station);
   auto* const take_over = app.add_flag("--take-over", raw.take_over, "end this student's login elsewhere");
@@ -47,6 +53,10 @@ std::unexpected<Ending> usage(const std::string& text) {
   return std::unexpected(Ending{ExitCode::usage, text + "\ncnclab-station --help"});
 }
 
+std::unexpected<Ending> usage(std::string_view german, std::string_view english) {
+  return usage(in_language_of_locale(german, english));
+}
+
 std::optional<std::filesystem::path> path_or_none(const std::string& text) {
   return text.empty() ? std::nullopt : std::optional<std::filesystem::path>(text);
 }
@@ -54,12 +64,16 @@ std::optional<std::filesystem::path> path_or_none(const std::string& text) {
 std::expected<Options, Ending> checked(const Raw& raw) {
   Options options;
   const auto server = parse_address(raw.server);
-  if (!server) return usage("--server: HOST:PORT, e.g. 127.0.0.1:3300 or [::1]:3300, not " + raw.server);
+  if (!server)
+    return usage(in_language_of_locale("--server: HOST:PORT, z. B. 127.0.0.1:3300 oder [::1]:3300, nicht ",
+                                       "--server: HOST:PORT, e.g. 127.0.0.1:3300 or [::1]:3300, not ") +
+                 raw.server);
   options.server = *server;
   options.station = StationId::of(raw.station);
   options.observe = StationId::of(raw.observe);
   options.user = raw.user;
-  if (raw.user.size() > 32) return usage("--user: at most 32 bytes");
+  if (raw.user.size() > kLongestName)
+    return usage("--user: höchstens 32 Bytes; ein Umlaut hat zwei", "--user: at most 32 bytes; an umlaut has two");
   if (line_not_utf8(raw.user)) return usage("--user: " + std::string(kNotUtf8Typed.in(language_of_locale())));
   options.password_file = path_or_none(raw.password_file);
   options.new_password_file = path_or_none(raw.new_password_file);
@@ -69,7 +83,8 @@ std::expected<Options, Ending> checked(const Raw& raw) {
     options.media = MediaPlace{folder, true};
   if (!raw.fingerprint.empty()) {
     if (!is_fingerprint(raw.fingerprint)) {
-      return usage("--fingerprint: SHA256: and 43 characters, as the server prints it at its start");
+      return usage("--fingerprint: SHA256: und 43 Zeichen, wie der Server ihn beim Start ausgibt",
+                   "--fingerprint: SHA256: and 43 characters, as the server prints it at its start");
     }
     options.trust.fingerprint = raw.fingerprint;
   }
@@ -78,7 +93,8 @@ std::expected<Options, Ending> checked(const Raw& raw) {
   options.is_ascii = raw.ascii;
   options.is_headless = raw.headless;
   if (raw.headless && (raw.user.empty() || options.seat() == 0)) {
-    return usage("--headless needs --user and --station (or --observe)");
+    return usage("--headless braucht --user und --station (oder --observe)",
+                 "--headless needs --user and --station (or --observe)");
   }
   return options;
 }
@@ -106,7 +122,7 @@ std::expected<Options, Ending> parse_options(int count, const char* const* argum
   } catch (const CLI::CallForVersion& version) {
     return std::unexpected(Ending{ExitCode::ended_by_user, std::string(version.what()) + "\n"});
   } catch (const CLI::ParseError& error) {
-    return usage(error.what());
+    return usage(fault_text(app, error, language_of_locale()));
   }
   return checked(raw);
 }

@@ -12,7 +12,8 @@ namespace cnclab::station {
 namespace {
 
 constexpr int kHelpRows = Screen::kRows - 3;
-constexpr int kBoxRow = 7, kBoxColumn = 6, kBoxWidth = 54;
+constexpr int kBoxRow = 6, kBoxColumn = 6, kBoxWidth = 54;
+constexpr std::size_t kMostReason = 5;  // rows: the box ends within the frame
 
 void write_box(Screen& screen, const std::vector<std::string>& lines) {
   std::string edge;
@@ -26,6 +27,10 @@ void write_box(Screen& screen, const std::vector<std::string>& lines) {
   screen.write(at(lines.size() + 1), kBoxColumn, "└" + edge + "┘", Attribute::bold);
 }
 
+std::string lost_for(std::chrono::seconds since, Language language) {
+  return fmt::format(" {}  {} s ", Text{"VERBINDUNG VERLOREN", "CONNECTION LOST"}.in(language), since.count());
+}
+
 }  // namespace
 
 Screen with_lost_line(const Screen& last, std::chrono::seconds since, const std::string& trouble, Language language) {
@@ -37,22 +42,51 @@ Screen with_lost_line(const Screen& last, std::chrono::seconds since, const std:
   }
   const auto said = [&](const Text& text) { return std::string(text.in(language)); };
   std::vector<std::string> lines{
-      fmt::format(" {}  {} s ", said({"VERBINDUNG VERLOREN", "CONNECTION LOST"}), since.count()),
+      lost_for(since, language),
       said({"Das Bild ist der letzte Stand und gilt nicht mehr.", "The picture is the last state, no longer valid."}),
       said({"Die Station verbindet sich von selbst wieder.", "The station reconnects by itself."})};
-  const std::string reason = printable(trouble);
-  if (!reason.empty()) lines.push_back(reason);
+  std::vector<std::string> reason = wrapped(printable(trouble), kBoxWidth - 4);
+  if (reason.size() > kMostReason) reason.resize(kMostReason);
+  lines.insert(lines.end(), reason.begin(), reason.end());
   lines.push_back(said({"q beendet.", "q quits."}));
   write_box(screen, lines);
   return screen;
 }
 
-Screen with_log_out_question(const Screen& screen, Language language) {
-  constexpr Text kQuestion{" Abmelden? Noch einmal q oder j = ja, jede andere Taste = nein ",
-                           " Log out? Again q or y = yes, any other key = no "};
+Screen with_lost_heading(const Screen& help, std::chrono::seconds since, Language language) {
+  constexpr int kColumn = 48;
+  Screen screen = help;
+  screen.write(0, kColumn, lost_for(since, language), Attribute::inverse);
+  return screen;
+}
+
+Screen with_looking_on(const Screen& seen, std::uint32_t station, Language language) {
+  constexpr Text kTitle{" Nur zusehen: Platz {} ", " Looking on: station {} "};
+  constexpr Text kBar{" Nur zusehen: Tasten wirken hier nicht.   q beendet das Zusehen ",
+                      " Looking on: keys do nothing here.   q ends looking on "};
+  constexpr int kTitleColumn = 2, kBarRow = Screen::kRows - 1;
+  Screen screen = seen;
+  screen.write(0, kTitleColumn, fmt::format(fmt::runtime(kTitle.in(language)), station), Attribute::inverse);
+  screen.set_row(kBarRow, Screen::Row{});
+  screen.write(kBarRow, 0, kBar.in(language), Attribute::inverse);
+  return screen;
+}
+
+Screen with_log_out_question(const Screen& screen, bool looks_on, Language language) {
+  constexpr Text kLogOut{" Abmelden? Noch einmal q oder j = ja, jede andere Taste = nein ",
+                         " Log out? Again q or y = yes, any other key = no "};
+  constexpr Text kLookAway{" Zusehen beenden? Noch einmal q oder j = ja, jede andere Taste = nein ",
+                           " End looking on? Again q or y = yes, any other key = no "};
   Screen asked = screen;
-  asked.write(23, 0, std::string(kQuestion.in(language)), Attribute::inverse);
+  asked.set_row(Screen::kRows - 1, Screen::Row{});
+  asked.write(Screen::kRows - 1, 0, (looks_on ? kLookAway : kLogOut).in(language), Attribute::inverse);
   return asked;
+}
+
+std::string too_small_text(int rows, int columns, Language language) {
+  constexpr Text kText{"Fenster zu klein: 80×24 Zeichen nötig, es hat {}×{}.",
+                       "Window too small: 80×24 needed, it has {}×{}."};
+  return fmt::format(fmt::runtime(kText.in(language)), columns, rows);
 }
 
 std::size_t last_help_start(Language language) {

@@ -1,8 +1,9 @@
 // What the station draws itself over the server's screen: the help page, the question before logging out, the lost
-// line.
+// line, that a station is only looked at.
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -15,8 +16,18 @@ namespace cnclab::station {
 [[nodiscard]] Screen with_lost_line(const Screen& last, std::chrono::seconds since, const std::string& trouble,
                                     Language language);
 
-/// Row 23 asks whether to log out.
-[[nodiscard]] Screen with_log_out_question(const Screen& screen, Language language);
+/// The screen of a station that is only looked at: the frame names it, and row 23 says in place of that station's keys
+/// that none works here (SEAT-003, SEAT-006).
+[[nodiscard]] Screen with_looking_on(const Screen& seen, std::uint32_t station, Language language);
+
+/// Row 23 asks whether to log out, or to end looking on.
+[[nodiscard]] Screen with_log_out_question(const Screen& screen, bool looks_on, Language language);
+
+/// The help page with the lost line's seconds in its heading.
+[[nodiscard]] Screen with_lost_heading(const Screen& help, std::chrono::seconds since, Language language);
+
+/// What stands in a window without room for a screen.
+[[nodiscard]] std::string too_small_text(int rows, int columns, Language language);
 
 /// The help page from its line `first` on.
 [[nodiscard]] Screen help_screen(std::size_t first, Language language);

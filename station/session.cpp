@@ -41,7 +41,9 @@ Session::~Session() = default;
 void Session::begin(LoggedIn login) {
   client_ = std::move(login.client);
   ticket_ = login.answer.ticket();
+  station_ = login.answer.station();
   language_ = language_named(login.answer.language().empty() ? client_.welcome().language() : login.answer.language());
+  door_.language = language_;
   if (!door_.media || !may_press())
     media_.reset();
   else if (!media_ || media_->user() != login.answer.user())
@@ -107,7 +109,7 @@ void Session::take(const v1::ServerMessage& message) {
     case v1::ServerMessage::kLogin:
       return take_answer(message.login());
     case v1::ServerMessage::kLanguageChosen:
-      language_ = language_named(message.language_chosen().language());
+      door_.language = language_ = language_named(message.language_chosen().language());
       return changed_.notify();
     case v1::ServerMessage::kPutMedia:
     case v1::ServerMessage::kGetMedia:

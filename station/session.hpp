@@ -65,6 +65,8 @@ class Session {
   [[nodiscard]] std::uint64_t connection() const { return connection_; }
   /// A login without a ticket only looks on (SEAT-003, SEAT-006).
   [[nodiscard]] bool may_press() const { return !ticket_.empty(); }
+  /// 1..15: where the user sits, or what is looked at.
+  [[nodiscard]] std::uint32_t station() const { return station_; }
   [[nodiscard]] Language language() const { return language_; }
   [[nodiscard]] bool has_alarm_tone() const { return has_alarm_tone_; }
   /// Short tones since the last call.
@@ -111,6 +113,7 @@ class Session {
   Pace pace_;
   std::string ticket_, trouble_;
   Language language_ = Language::german;
+  std::uint32_t station_ = 0;
   Screen screen_;
   bool is_connected_ = true, is_online_ = false, has_alarm_tone_ = false, is_logging_out_ = false;
   bool is_password_wanted_ = false, has_new_password_ = false;

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "station/curses_attribute.hpp"
+#include "station/terminal_fault.hpp"
 #include "station/terminal_input.hpp"
 
 namespace cnclab::station {
@@ -39,11 +40,10 @@ std::expected<std::unique_ptr<Terminal>, Ending> Terminal::open(bool is_ascii) {
     return refused({"Kein Terminal: die Station in einem Terminal starten, oder mit --headless.",
                     "No terminal: start the station in a terminal, or with --headless."});
   }
+  if (const auto fault = terminal_fault()) return refused(*fault);
   std::unique_ptr<Terminal> terminal(new Terminal);
-  if (terminal->handle_->screen == nullptr) {
-    return refused({"Dieses Terminal ist unbekannt: TERM prüfen, z. B. TERM=xterm-256color.",
-                    "This terminal is unknown: check TERM, e.g. TERM=xterm-256color."});
-  }
+  if (terminal->handle_->screen == nullptr)
+    return refused({"Dieses Terminal lässt sich nicht öffnen.", "This terminal cannot be opened."});
   terminal->set_up(is_ascii);
   return terminal;
 }
@@ -101,7 +101,7 @@ bool Terminal::is_hung_up() const {
 void Terminal::clear() { ::werase(stdscr); }
 
 void Terminal::draw(const Screen& stands) {
-  const Screen screen = glyphs_ == Glyphs::ascii ? with_wide_arrows(stands) : stands;
+  const Screen screen = glyphs_ == Glyphs::ascii ? spelled_out(stands) : stands;
   std::string text;
   for (int row = 0; row < Screen::kRows; ++row) {
     for (int column = 0, start = 0; column < Screen::kColumns; ++column) {
@@ -117,11 +117,8 @@ void Terminal::draw(const Screen& stands) {
 }
 
 void Terminal::write(int row, int column, std::string_view utf8, Attribute attribute, Colour colour) {
-  std::u32string codes = from_utf8(utf8);
-  if (glyphs_ == Glyphs::ascii)  // as `with_wide_arrows`, for a key's cap
-    for (auto at = codes.find(U"→ "); at != std::u32string::npos; at = codes.find(U"→ ")) codes.replace(at, 2, U"->");
   std::wstring text;
-  for (const char32_t code : codes) text += static_cast<wchar_t>(shown_code(code, glyphs_));
+  for (const char32_t code : from_utf8(utf8)) text += static_cast<wchar_t>(shown_code(code, glyphs_));
   const auto pair = static_cast<short>(has_colour_ ? static_cast<int>(colour) : 0);
   ::wattr_set(stdscr, curses_attribute(attribute), pair, nullptr);
   ::mvwaddnwstr(stdscr, row, column, text.c_str(), static_cast<int>(text.size()));

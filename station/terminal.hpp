@@ -20,12 +20,14 @@ enum class Colour : std::uint8_t { standard, green, red, yellow };
 class Terminal {
  public:
   /// is_ascii  also chosen by a locale without UTF-8; the linux console gets everything but braille
-  /// errors    usage: stdin or stdout is no terminal, or TERM is unknown
+  /// errors    usage: stdin or stdout is no terminal, or TERM is unknown or no terminal to draw on
   [[nodiscard]] static std::expected<std::unique_ptr<Terminal>, Ending> open(bool is_ascii);
   Terminal(const Terminal&) = delete;
   Terminal& operator=(const Terminal&) = delete;
   ~Terminal();
 
+  /// Everything is drawn in ASCII; what is written without `draw` is spelled out before (cell_text.hpp).
+  [[nodiscard]] bool is_ascii() const { return glyphs_ == Glyphs::ascii; }
   [[nodiscard]] int rows() const;
   [[nodiscard]] int columns() const;
   /// Takes over the window's size after SIGWINCH.

@@ -2,7 +2,11 @@
 #include "station/terminal_station.hpp"
 
 #include <boost/asio/experimental/awaitable_operators.hpp>
+#include <boost/asio/steady_timer.hpp>
 #include <boost/asio/this_coro.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <chrono>
+#include <utility>
 
 #include "station/login_form.hpp"
 #include "station/monitor.hpp"
@@ -21,6 +25,7 @@ struct Desk {
   TerminalEvents& events;
   Broadcast& changed;
   bool is_form_open = false;
+  bool is_form_touched = false;   // since the free seats were asked for
   bool has_new_password = false;  // the file of the new password holds from now on
   std::string last_user = {};     // proposed when the form comes back
   std::uint32_t last_seat = 0;
@@ -74,17 +79,15 @@ std::optional<Input> form_input(const TerminalEvent& event) {
   return input == nullptr ? std::nullopt : std::optional(*input);
 }
 
-asio::awaitable<std::expected<Credentials, Ending>> fill_in(Desk& desk, LoginQuestion question) {
-  const Language language = language_named(question.welcome.language());
-  if (question.refusal && is_final(desk.options, *question.refusal)) {
-    co_return std::unexpected(ending_of(*question.refusal, language));
-  }
-  LoginForm form(question, desk.options.seat() != 0, !desk.options.user.empty(), language);
+using Entered = std::expected<Credentials, Ending>;
+
+asio::awaitable<Entered> edit(Desk& desk, LoginForm& form, Language language) {
   for (;;) {
     if (desk.events.take_resized()) desk.terminal.redraw();
     while (const auto event = desk.events.take()) {
       const auto input = form_input(*event);
       if (!input) continue;
+      desk.is_form_touched = true;
       const auto state = form.handle(*input);
       if (state == LoginForm::State::submitted) {
         desk.typed = form.credentials();
@@ -99,6 +102,33 @@ asio::awaitable<std::expected<Credentials, Ending>> fill_in(Desk& desk, LoginQue
     }
     co_await desk.changed.wait_until(Broadcast::Clock::time_point::max());
   }
+}
+
+// Others take their seats meanwhile. Asked for only while somebody types: a form that stands there all night would fill
+// the server's log.
+asio::awaitable<void> renew_seats(Desk& desk, LoginForm& form) {
+  constexpr std::chrono::seconds kRenewal{2};
+  asio::steady_timer timer(co_await asio::this_coro::executor);
+  for (;;) {
+    timer.expires_after(kRenewal);
+    co_await timer.async_wait(asio::use_awaitable);
+    if (!std::exchange(desk.is_form_touched, false)) continue;
+    const Door door = desk.options.door();
+    const auto client = co_await Client::connect(door.address, door.trust, door.kind);
+    if (!client) continue;
+    form.renew_seats(client->welcome());
+    desk.changed.notify();
+  }
+}
+
+asio::awaitable<Entered> fill_in(Desk& desk, LoginQuestion question) {
+  const Language language = language_named(question.welcome.language());
+  if (question.refusal && is_final(desk.options, *question.refusal)) {
+    co_return std::unexpected(ending_of(*question.refusal, language));
+  }
+  LoginForm form(question, desk.options.seat() != 0, !desk.options.user.empty(), language);
+  auto first = co_await (edit(desk, form, language) || renew_seats(desk, form));
+  co_return std::get<0>(std::move(first));
 }
 
 asio::awaitable<std::expected<LoggedIn, Ending>> log_in_here(Desk& desk, std::optional<v1::LoginAnswer> why) {

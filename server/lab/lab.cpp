@@ -218,6 +218,10 @@ void Lab::keep_house(std::int64_t now_ns) {
       });
 }
 
+language::Tongue Lab::tongue_with(const Visit& visit) const {
+  return visit.is_logged_in() ? tongue_of(visit.person) : configuration_.tongue;
+}
+
 language::Tongue Lab::tongue_of(const db::Person& person) const {
   if (person.language.empty()) return configuration_.tongue;
   return person.language == "en" ? language::Tongue::english : language::Tongue::german;

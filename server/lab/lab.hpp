@@ -95,6 +95,8 @@ class Lab {
   /// Forgets what is older than the configuration keeps it: journal, people long off the roster.
   void keep_house(std::int64_t now_ns);
   [[nodiscard]] language::Tongue tongue_of(const db::Person& person) const;
+  /// Until the login is done a visit speaks the lab's language, as the form does at the station.
+  [[nodiscard]] language::Tongue tongue_with(const Visit& visit) const;
 
   // lab_login.cpp
   void greet(const VisitPtr& visit, const v1::ClientMessage& message);

@@ -129,7 +129,7 @@ void Lab::password_checked(const VisitPtr& visit, const std::optional<db::Person
   if (person->must_change) {
     visit->stage = Stage::new_password;
     visit->peer->send(answer_with(v1::LOGIN_RESULT_PASSWORD_EXPIRED,
-                                  say(tongue_of(*person), "Bitte ein neues Passwort wählen (mindestens 8 Zeichen).",
+                                  say(tongue_with(*visit), "Bitte ein neues Passwort wählen (mindestens 8 Zeichen).",
                                       "Please choose a new password (at least 8 characters).")));
     return;
   }
@@ -142,7 +142,7 @@ void Lab::admit(const VisitPtr& visit) {
   const bool may_observe = instructor || visit->person.role == "observer";
   const auto not_allowed = [&] {
     refuse(visit, v1::LOGIN_RESULT_NOT_ALLOWED,
-           say(tongue_of(visit->person), "Diese Rolle darf das nicht.", "This role may not do that."));
+           say(tongue_with(*visit), "Diese Rolle darf das nicht.", "This role may not do that."));
   };
   switch (visit->kind) {
     case v1::CLIENT_KIND_INSTRUCTOR:
@@ -169,7 +169,7 @@ void Lab::admit(const VisitPtr& visit) {
 }
 
 void Lab::admit_station(const VisitPtr& visit) {
-  const auto tongue = tongue_of(visit->person);
+  const auto tongue = tongue_with(*visit);
   const auto station = StationId::of(visit->login.station());
   if (!station)
     return refuse(visit, v1::LOGIN_RESULT_NOT_ALLOWED,
@@ -191,13 +191,13 @@ void Lab::admit_station(const VisitPtr& visit) {
 
 /// The student sits somewhere already: one of the two goes on (SEAT-003).
 void Lab::admit_elsewhere(const VisitPtr& visit, const DeskPtr& mine, int station) {
-  const auto tongue = tongue_of(visit->person);
   switch (visit->login.elsewhere()) {
     case v1::ELSEWHERE_TAKE_OVER: {
       const VisitPtr former = mine->visit.lock();
       vacate(former, "taken over");
       farewell(former, 6,
-               say(tongue, "Anmeldung an einem anderen Platz übernommen.", "Taken over at another station."));
+               say(tongue_of(mine->person), "Anmeldung an einem anderen Platz übernommen.",
+                   "Taken over at another station."));
       return sit_down(visit, mine, station);
     }
     case v1::ELSEWHERE_LOOK_ON: {
@@ -206,14 +206,15 @@ void Lab::admit_elsewhere(const VisitPtr& visit, const DeskPtr& mine, int statio
       auto message = answer_with(v1::LOGIN_RESULT_OK, "");
       message.mutable_login()->set_user(visit->person.name);
       message.mutable_login()->set_station(static_cast<std::uint32_t>(mine->station));
+      message.mutable_login()->set_language(tongue_of(mine->person) == language::Tongue::german ? "de" : "en");
       visit->peer->send(message);
       mine->is_dirty = true;
       return;
     }
     default: {
-      auto message = answer_with(v1::LOGIN_RESULT_ELSEWHERE,
-                                 say(tongue, "Schon angemeldet an Platz ", "Already logged in at station ") +
-                                     std::to_string(mine->station) + ".");
+      auto message = answer_with(v1::LOGIN_RESULT_ELSEWHERE, say(tongue_with(*visit), "Schon angemeldet an Platz ",
+                                                                 "Already logged in at station ") +
+                                                                 std::to_string(mine->station) + ".");
       message.mutable_login()->set_other_station(static_cast<std::uint32_t>(mine->station));
       visit->peer->send(message);
       visit->stage = Stage::login;
@@ -227,7 +228,7 @@ void Lab::load_desk(const VisitPtr& visit) {
              [this, visit, alive = alive_](const std::expected<StoredControl, db::StoreError>& stored) {
                if (!*alive || visit->stage != Stage::checking) return;
                if (!stored)
-                 return refuse(visit, v1::LOGIN_RESULT_REFUSED, sentence_for(stored.error(), tongue_of(visit->person)));
+                 return refuse(visit, v1::LOGIN_RESULT_REFUSED, sentence_for(stored.error(), tongue_with(*visit)));
                if (seats_.of(visit->person.id)) return admit_station(visit);  // the same student was faster elsewhere
                const auto& person = visit->person;
                panel::Settings settings = settings_for(configuration_, person, tongue_of(person));
@@ -290,6 +291,10 @@ void Lab::sit_down(const VisitPtr& visit, const DeskPtr& desk, int station) {
   visit->desk = desk;
   visit->feed = ScreenFeed{};
   desk->visit = visit;
+  if (desk->person.language != visit->person.language) {  // the instructor has set it while the control was kept
+    desk->person.language = visit->person.language;
+    desk->control.set_tongue(tongue_of(desk->person));
+  }
   if (desk->station != station) end_looking_on(desk);
   desk->station = station;
   desk->login = LoginId{++logins_};

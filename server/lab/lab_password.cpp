@@ -18,7 +18,7 @@ void Lab::change_password(const VisitPtr& visit, const v1::ChangePassword& chang
   const std::string& wish = change.new_password();
   if (wish.size() < kShortestPassword || wish.size() > kLongestPassword)
     return answer_password(visit, v1::LOGIN_RESULT_PASSWORD_WEAK,
-                           say(tongue_of(visit->person), "Das Passwort muss 8 bis 256 Zeichen haben.",
+                           say(tongue_with(*visit), "Das Passwort muss 8 bis 256 Zeichen haben.",
                                "The password must have 8 to 256 characters."));
   if (visit->stage == Stage::new_password) return change_expired_password(visit, wish);
   if (visit->stage != Stage::at_desk || visit->is_changing_password)
@@ -28,7 +28,7 @@ void Lab::change_password(const VisitPtr& visit, const v1::ChangePassword& chang
 
 void Lab::refuse_same_password(const VisitPtr& visit) const {
   answer_password(visit, v1::LOGIN_RESULT_PASSWORD_WEAK,
-                  say(tongue_of(visit->person), "Das neue Passwort muss ein anderes sein als das alte.",
+                  say(tongue_with(*visit), "Das neue Passwort muss ein anderes sein als das alte.",
                       "The new password must differ from the old one."));
 }
 

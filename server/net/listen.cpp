@@ -36,6 +36,14 @@ std::expected<tcp::acceptor, std::string> listen_on(asio::io_context& loop, cons
   if (error == asio::error::address_in_use)
     return std::unexpected("cannot listen on " + address +
                            ": the port is in use. Is another server running? Choose another with " + setting);
+  if (error == boost::system::errc::address_not_available)
+    return std::unexpected("cannot listen on " + address +
+                           ": this computer does not have that address. 127.0.0.1 serves this computer alone, 0.0.0.0 "
+                           "every network; choose with " +
+                           setting);
+  if (error == asio::error::access_denied)
+    return std::unexpected("cannot listen on " + address +
+                           ": this user may not take that port. Choose one from 1024 on with " + setting);
   if (error) return std::unexpected("cannot listen on " + address + ": " + error.message());
   return acceptor;
 }

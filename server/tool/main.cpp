@@ -116,6 +116,18 @@ void add_commands(CLI::App& app, Options& options, Command& chosen) {
   verify->add_option("DB", options.file, "the database, e.g. var/cnclab.db, or a backup of it")->required();
 }
 
+/// Of a word that is no command the parser says only that one is required.
+int tell_usage(const CLI::App& app, const CLI::ParseError& error) {
+  const auto words = app.remaining(true);
+  if (!app.get_subcommands().empty() || words.empty() || words.front().starts_with('-'))
+    return app.exit(error) == 0 ? 0 : tool::kExitUsage;
+  std::string names;
+  for (const CLI::App* command : app.get_subcommands({})) names += (names.empty() ? "" : ", ") + command->get_name();
+  std::fprintf(stderr, "cnclab-tool: there is no command '%s'; commands: %s. See cnclab-tool --help\n",
+               words.front().c_str(), names.c_str());
+  return tool::kExitUsage;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -138,7 +150,7 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : tool::kExitUsage;
+    return tell_usage(app, error);
   }
   try {
     return chosen(options);

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <sstream>
 
-#include "instructor/command_fault.hpp"
 #include "instructor/commands.hpp"
 #include "instructor/failure.hpp"
 #include "station/cell_text.hpp"
+#include "station/command_fault.hpp"
 #include "station/known_hosts.hpp"
 #include "station/utf8.hpp"
 
@@ -44,6 +44,12 @@ std::optional<std::uint32_t> program_number(const std::string& text) {
   return static_cast<std::uint32_t>(std::stoul(digits));
 }
 
+std::string with_sent_file(const Command& command, const std::string& error) {
+  const auto digits = error.find_first_not_of("0123456789");
+  const bool names_line = digits != 0 && digits != std::string::npos && error[digits] == ':';
+  return command.sent_file.empty() || !names_line ? error : command.sent_file.string() + ":" + error;
+}
+
 std::expected<CommandLine, EarlyEnd> read_command_line(const std::vector<std::string>& arguments) {
   const auto language = station::language_of_locale();
   for (const auto& argument : arguments)
@@ -55,12 +61,13 @@ std::expected<CommandLine, EarlyEnd> read_command_line(const std::vector<std::st
   CLI::App app(kDescription, "cnclab-instructor");
   add_access(app, line.access, server);
   app.add_flag("--ascii", line.is_ascii, "the console draws without Unicode");
+  app.set_version_flag("--version", "cnclab-instructor " CNCLAB_VERSION);
   add_commands(app, line.command);
   try {
     std::vector<std::string> reversed(arguments.rbegin(), arguments.rend());  // as CLI11 takes them
     app.parse(reversed);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() != 0) return std::unexpected(refused(fault_text(app, error, language)));
+    if (error.get_exit_code() != 0) return std::unexpected(refused(station::fault_text(app, error, language)));
     std::ostringstream help;
     app.exit(error, help, help);
     return std::unexpected(EarlyEnd{.exit_code = 0, .text = help.str()});
@@ -100,7 +107,7 @@ std::expected<Command, std::string> read_command(const std::vector<std::string>&
     std::vector<std::string> reversed(words.rbegin(), words.rend());
     app.parse(reversed);
   } catch (const CLI::ParseError& error) {
-    return std::unexpected(fault_text(app, error, language));
+    return std::unexpected(station::fault_text(app, error, language));
   }
   constexpr station::Text kNone{"Einen Befehl eingeben, z. B. students.", "A command is needed, e.g. students."};
   constexpr station::Text kNotHere{

@@ -28,7 +28,11 @@ struct Command {
   bool changes_own_password = false;   ///< `passwd`: the new password comes from the access options or the terminal
   std::filesystem::path content_file;  ///< where the content goes that comes as chunks; empty: none is expected
   bool is_collection = false;          ///< the content is everybody's programs: one file for each beside content_file
+  std::filesystem::path sent_file;     ///< whose text the request carries: faults in it name it
 };
+
+/// The server's error about `command`: where it names a line of the file that was sent, as FILE:LINE: message.
+[[nodiscard]] std::string with_sent_file(const Command& command, const std::string& error);
 
 struct CommandLine {
   Access access;

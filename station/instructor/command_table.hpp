@@ -9,8 +9,8 @@
 #include <optional>
 #include <string>
 
-#include "instructor/command_fault.hpp"
 #include "instructor/command_line.hpp"
+#include "station/command_fault.hpp"
 #include "station/utf8.hpp"
 
 namespace cnclab::instructor {
@@ -54,20 +54,22 @@ CLI::Option* needed(CLI::App& sub, const std::string& name, const std::shared_pt
   return sub.add_option(name, *into, what)->required()->type_name(kind);
 }
 
-/// A text that can be sent. throws UnfitFile
+/// A text that can be sent. throws station::UnfitFile
 inline std::string content_of(const std::string& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   if (const auto line = station::line_not_utf8(text))
-    throw UnfitFile(file + ":" + std::to_string(*line), station::kNotUtf8);
+    throw station::UnfitFile(file + ":" + std::to_string(*line), station::kNotUtf8);
   return text;
 }
 
-/// As `content_of`, of the first line.
-inline std::string first_line_of(const std::string& file) {
+/// The password in the first line. throws station::UnfitFile also where there is none
+inline std::string password_of(const std::string& file) {
   const std::string text = content_of(file);
   std::string line = text.substr(0, text.find('\n'));
   if (line.ends_with('\r')) line.pop_back();
+  if (line.empty())
+    throw station::UnfitFile(file, {"kein Passwort in der ersten Zeile", "no password in the first line of the file"});
   return line;
 }
 

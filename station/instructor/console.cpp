@@ -17,6 +17,7 @@
 #include "instructor/console_view.hpp"
 #include "instructor/one_shot.hpp"
 #include "instructor/window.hpp"
+#include "station/terminal_fault.hpp"
 
 namespace cnclab::instructor {
 namespace {
@@ -58,7 +59,11 @@ class Console {
     Window window(is_ascii);
     while (!quits_ && !failure_) {
       count_lost_seconds();
-      window.show(draw_console(model_, Window::columns()));
+      model_.is_too_small = !Window::has_room();
+      if (model_.is_too_small)
+        window.show_too_small(model_.language);
+      else
+        window.show(draw_console(model_, Window::columns()));
       context_.run_for(kLook);
       while (const auto input = window.next_input()) take(*input);
     }
@@ -96,6 +101,7 @@ class Console {
     command.request = std::move(*reaction.request);
     command.content_file = reaction.content_file;
     command.is_collection = reaction.is_collection;
+    command.sent_file = reaction.sent_file;
     link_.send(std::move(command), reaction.is_urgent);
   }
 
@@ -116,10 +122,13 @@ class Console {
 }  // namespace
 
 std::expected<void, Failure> run_console(Access access, bool is_ascii) {
+  constexpr int kUsage = static_cast<int>(station::ExitCode::usage);
   if (isatty(STDIN_FILENO) == 0 || isatty(STDOUT_FILENO) == 0) {
-    return std::unexpected(Failure{static_cast<int>(station::ExitCode::usage),
-                                   "the console needs a terminal; a command (see --help) needs none"});
+    return std::unexpected(
+        Failure{kUsage, own_words({"die Konsole braucht ein Terminal; ein Befehl (siehe --help) braucht keines",
+                                   "the console needs a terminal; a command (see --help) needs none"})});
   }
+  if (const auto fault = station::terminal_fault()) return std::unexpected(Failure{kUsage, own_words(*fault)});
   auto credentials = credentials_for(access);
   if (!credentials) return std::unexpected(credentials.error());
   boost::asio::io_context context;

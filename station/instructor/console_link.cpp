@@ -207,6 +207,7 @@ void ConsoleLink::take_answer(const v1::InstructorAnswer& answer) {
   auto& whole = parts_[answer.number()];
   whole.MergeFrom(answer);
   if (answer.more() && !asked->second.request.has_watch()) return;
+  if (!whole.error().empty()) whole.set_error(with_sent_file(asked->second, whole.error()));
   if (answer.transfer() != 0 && !asked->second.content_file.empty())
     content_.emplace(std::piecewise_construct, std::forward_as_tuple(asked->second),
                      std::forward_as_tuple(asked->second.content_file));

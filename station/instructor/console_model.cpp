@@ -4,9 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <sstream>
-
-#include "instructor/item_text.hpp"
 
 namespace cnclab::instructor {
 namespace {
@@ -154,60 +151,6 @@ Reaction react_special(ConsoleModel model, Special special) {
   return {.model = std::move(model), .request = {}};
 }
 
-/// A line that is wider than the screen goes on in the next one.
-void append_lines(const std::string& text, std::vector<std::string>& lines) {
-  constexpr std::size_t kWidth = Screen::kColumns - 2;
-  std::istringstream stream(text);
-  for (std::string line; std::getline(stream, line);) {
-    std::u32string rest = from_utf8(line);
-    do {
-      lines.push_back(to_utf8(rest.substr(0, kWidth)));
-      rest.erase(0, kWidth);
-    } while (!rest.empty());
-  }
-}
-
-Message done_message(const ConsoleModel& model, const v1::InstructorRequest& request) {
-  if (request.has_select()) {
-    const auto form = Text{"Platz {}: Steuerung angeboten; der Platz nimmt mit START an.",
-                           "Seat {}: control offered; the seat accepts with START."};
-    return {fmt::format(fmt::runtime(form.in(model.language)), request.select().station()), false};
-  }
-  if (request.has_release()) return say(model, {"Niemand hat die Steuerung.", "Nobody has control."});
-  if (request.has_halt()) {
-    Message halted =
-        model.overlay == Overlay::watching  // c is another key there
-            ? say(model, {"MASCHINE HALT. In der Tafel hebt c ihn auf.", "MACHINE HALT. In the table c clears it."})
-            : say(model, {"MASCHINE HALT. c hebt ihn auf.", "MACHINE HALT. c clears it."});
-    halted.is_of_halt = true;
-    return halted;
-  }
-  if (request.has_clear_halt()) return say(model, {"Halt aufgehoben.", "Halt cleared."});
-  if (request.has_power_off()) return say(model, {"Antriebe stromlos. p schaltet ein.", "Drives off. p switches on."});
-  if (request.has_lock()) return say(model, {"Tastatur gesperrt. l gibt sie frei.", "Keyboard locked. l unlocks it."});
-  if (request.has_unlock()) return say(model, {"Tastatur frei.", "Keyboard unlocked."});
-  if (request.has_give()) return say(model, {"Tastatur zurückgegeben.", "Keyboard given back."});
-  if (request.has_show() && request.show().station() != 0)
-    return say(model, {"Alle sehen dieses Bild. v beendet es.", "All see this screen. v ends it."});
-  if (request.has_power_on()) return say(model, {"Antriebe eingeschaltet.", "Drives on."});
-  return say(model, {"Erledigt.", "Done."});
-}
-
-/// Holds at once, so that the same key pressed again means the opposite: the next status may be a moment away.
-void note_lock(v1::Status& status, const v1::InstructorRequest& request) {
-  if (!request.has_lock() && !request.has_unlock()) return;
-  const auto seat = request.has_lock() ? request.lock().station() : request.unlock().station();
-  for (auto& entry : *status.mutable_stations())
-    if (entry.station() == seat) entry.set_locked(request.has_lock());
-}
-
-/// The pasted character is as if it were typed: text of a command, or a key that stops the machine.
-bool acts_pasted(const ConsoleModel& model, char32_t character) {
-  if (model.overlay == Overlay::entry) return true;
-  const bool is_typing = model.overlay == Overlay::watching && model.watched.is_typing;
-  return is_typing ? station::is_stop(station::Input(character)) : character == U'h';
-}
-
 }  // namespace
 
 const v1::StationStatus* seat_of(const v1::Status& status, int seat) {
@@ -216,10 +159,23 @@ const v1::StationStatus* seat_of(const v1::Status& status, int seat) {
   return found == status.stations().end() ? nullptr : &*found;
 }
 
+bool stops(const ConsoleModel& model, const Input& input) {
+  const auto* const special = std::get_if<Special>(&input);
+  if (special != nullptr) return *special == Special::halt;
+  const auto* const typed = std::get_if<Typed>(&input);
+  const auto* const pasted = std::get_if<Pasted>(&input);
+  if (typed == nullptr && pasted == nullptr) return false;
+  const char32_t character = typed != nullptr ? typed->character : pasted->character;
+  if (model.overlay == Overlay::entry) return false;
+  const bool is_typing = model.overlay == Overlay::watching && model.watched.is_typing;
+  return is_typing ? station::is_stop(station::Input(character)) : character == U'h';
+}
+
 Reaction react(ConsoleModel model, const Input& pressed) {
+  if (model.is_too_small && !stops(model, pressed)) return {.model = std::move(model), .request = {}};
   Input input = pressed;
   if (const auto* const pasted = std::get_if<Pasted>(&pressed)) {
-    if (!acts_pasted(model, pasted->character)) return {.model = std::move(model), .request = {}};
+    if (model.overlay != Overlay::entry && !stops(model, pressed)) return {.model = std::move(model), .request = {}};
     input = Typed{pasted->character};
   }
   if (auto reaction = react_overlaid(model, input)) return std::move(*reaction);
@@ -244,38 +200,6 @@ ConsoleModel with_status(ConsoleModel model, const v1::Status& status) {
     model.watched.is_typing = false;
     model.message = say(model, {"Die Tastatur ist zurückgegeben.", "The keyboard is given back."});
   }
-  return model;
-}
-
-ConsoleModel with_answer(ConsoleModel model, const v1::InstructorRequest& request, const v1::InstructorAnswer& answer) {
-  if (!answer.error().empty()) {
-    model.message = {answer.error(), true};
-    return model;
-  }
-  const bool ends_watching = request.has_watch() && request.watch().station() == 0;
-  if (ends_watching) return model;  // the table came back with the key
-  if (request.has_watch() || request.has_take()) {
-    model.overlay = Overlay::watching;
-    model.watched.station =
-        static_cast<int>(request.has_watch() ? request.watch().station() : request.take().station());
-    model.watched.is_typing = request.has_take();
-    return model;
-  }
-  if (model.status) note_lock(*model.status, request);
-  const bool is_line = answer.items_size() == 1 && answer.items(0).has_done();
-  if (!answer.items().empty() && !is_line) {
-    model.overlay = Overlay::page;
-    model.page.clear();
-    model.page_top = 0;
-    for (const auto& item : answer.items()) append_lines(text_of(item), model.page);
-    return model;
-  }
-  if (answer.items().empty()) {
-    model.message = say(model, {"Keine Einträge.", "No entries."});
-    return model;
-  }
-  const bool has_detail = is_line && !answer.items(0).done().detail().empty();
-  model.message = has_detail ? Message{answer.items(0).done().detail(), false} : done_message(model, request);
   return model;
 }
 

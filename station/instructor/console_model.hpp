@@ -27,9 +27,10 @@ enum class Overlay : std::uint8_t {
   none,
   help,
   ask_quit,
-  entry,     ///< a command is being typed, as on the command line
-  page,      ///< an answer of several lines
-  watching,  ///< a station's screen; with `is_typing` its keyboard too
+  ask_erase,  ///< whether somebody is to be deleted for good: the command waits in `asked_about`
+  entry,      ///< a command is being typed, as on the command line
+  page,       ///< an answer of several lines
+  watching,   ///< a station's screen; with `is_typing` its keyboard too
 };
 
 /// A station's screen as it was sent last.
@@ -60,6 +61,8 @@ struct ConsoleModel {
   std::vector<std::string> page;  ///< Overlay::page: lines
   int page_top = 0;               ///< first line shown
   Watched watched;
+  bool is_too_small = false;                              ///< the window shows nothing of all this: only a stop acts
+  std::optional<v1::InstructorRequest> asked_about = {};  ///< Overlay::ask_erase: sent with a yes
 };
 
 // What a user can do.
@@ -87,16 +90,22 @@ struct Reaction {
   std::optional<v1::InstructorRequest> request;
   std::filesystem::path content_file = {};  ///< where the answer's content goes
   bool is_collection = false;               ///< as Command::is_collection
+  std::filesystem::path sent_file = {};     ///< as Command::sent_file
   std::vector<Key> keys = {};               ///< pressed at the keyboard that is taken over
   bool is_urgent = false;  ///< goes before everything that waits to be sent (a stop is never queued, AUTH-006)
   bool quits = false;
 };
 [[nodiscard]] Reaction react(ConsoleModel model, const Input& input);
 
+/// The input stops the machine, whatever lies over the table of seats (AUTH-006): MASCHINE HALT; STOP too, where a
+/// keyboard is taken over.
+[[nodiscard]] bool stops(const ConsoleModel& model, const Input& input);
+
 /// A newer status: what it says is over is no longer told, and nobody types at a keyboard that was given back.
 [[nodiscard]] ConsoleModel with_status(ConsoleModel model, const v1::Status& status);
 
-/// The answer to a command of the user's: its error or its detail goes to the message line.
+/// The answer to a command of the user's: its error, or a sentence that says what was done, goes to the message line; a
+/// list becomes a page.
 [[nodiscard]] ConsoleModel with_answer(ConsoleModel model, const v1::InstructorRequest& request,
                                        const v1::InstructorAnswer& answer);
 

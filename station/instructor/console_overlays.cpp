@@ -2,6 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
+#include <utility>
 
 #include "instructor/command_line.hpp"
 #include "instructor/console_model.hpp"
@@ -55,12 +57,37 @@ Reaction send_entry(ConsoleModel& model) {
     return stay(model);
   }
   model.message = {};
+  if (command->request.has_student_remove() && command->request.student_remove().erase()) {
+    model.overlay = Overlay::ask_erase;
+    model.asked_about = std::move(command->request);
+    return stay(model);
+  }
   Reaction reaction = stay(model);
   reaction.is_urgent = command->request.has_halt() || command->request.has_power_off();
   reaction.content_file = command->content_file;
   reaction.is_collection = command->is_collection;
+  reaction.sent_file = command->sent_file;
   reaction.request = std::move(command->request);
   return reaction;
+}
+
+bool is_yes(const Input& input) {
+  const char32_t answer = character_of(input);
+  return answer != U'\0' && std::u32string_view(U"jJyY").contains(answer);
+}
+
+/// What is deleted for good cannot be restored: only a yes does it.
+Reaction react_erase_question(ConsoleModel& model, const Input& input) {
+  auto command = std::exchange(model.asked_about, std::nullopt);
+  model.overlay = Overlay::none;
+  if (is_yes(input) && model.link == Link::connected) {
+    Reaction reaction = stay(model);
+    reaction.request = std::move(command);
+    return reaction;
+  }
+  const station::Text text{"Nichts gelöscht.", "Nothing deleted."};
+  model.message = {.text = std::string(text.in(model.language))};
+  return stay(model);
 }
 
 Reaction react_entry(ConsoleModel& model, const Input& input) {
@@ -163,8 +190,8 @@ Reaction react_watching(ConsoleModel& model, const Input& input) {
 std::optional<Reaction> react_overlaid(ConsoleModel& model, const Input& input) {
   const bool is_watching = model.overlay == Overlay::watching;
   const bool takes_letters = model.overlay == Overlay::entry || (is_watching && model.watched.is_typing);
-  const bool stops = is(input, Special::halt) || (!takes_letters && character_of(input) == U'h');
-  if (stops) {  // a stop always works; what was typed or watched stays
+  const bool halts = is(input, Special::halt) || (!takes_letters && character_of(input) == U'h');
+  if (halts) {  // a stop always works; what was typed or watched stays
     if (!takes_letters && !is_watching) model.overlay = Overlay::none;
     return std::nullopt;
   }
@@ -176,11 +203,12 @@ std::optional<Reaction> react_overlaid(ConsoleModel& model, const Input& input) 
     case Overlay::help:
       return close(model);
     case Overlay::ask_quit: {
-      const char32_t answer = character_of(input);
       Reaction reaction = close(model);
-      reaction.quits = answer != U'\0' && std::u32string_view(U"jJyY").contains(answer);
+      reaction.quits = is_yes(input);
       return reaction;
     }
+    case Overlay::ask_erase:
+      return react_erase_question(model, input);
     case Overlay::entry:
       return react_entry(model, input);
     case Overlay::page:

@@ -13,7 +13,7 @@ namespace {
 using station::Text;
 
 constexpr int kLeaseColumn = 44, kLeaseColumnInHalt = 60;
-constexpr int kMachineRow = 18, kTickRow = 19, kMessageRow = 21, kKeysRow = 23;
+constexpr int kLongNameRow = 17, kMachineRow = 18, kTickRow = 19, kMessageRow = 21, kKeysRow = 23;
 
 constexpr std::size_t kTextWidth = Screen::kColumns - 2;
 
@@ -80,6 +80,7 @@ class Drawing {
     } else {
       draw_headings();
       for (int seat = 1; seat <= kSeats; ++seat) draw_seat(seat);
+      draw_long_name();
     }
     draw_machine();
     draw_ticks();
@@ -95,7 +96,7 @@ class Drawing {
 
   void draw_title() {
     fill(0, Attribute::inverse);
-    screen_.write(0, 1, say({"LEHRERKONSOLE", "INSTRUCTOR"}), Attribute::inverse);
+    screen_.write(0, 1, say({"LEHRKRAFT", "INSTRUCTOR"}), Attribute::inverse);
     screen_.write(0, 18, fmt::format("{} @ {}", model_.user, model_.server), Attribute::inverse, 32);
     switch (model_.link) {
       case Link::connected:
@@ -132,7 +133,7 @@ class Drawing {
     put(kControl, control_of(seat));
     const v1::StationStatus* const at_seat = seat_of(*model_.status, seat);
     if (at_seat == nullptr) return put(kName, say({"(frei)", "(free)"}));
-    put(kName, at_seat->user());
+    put(kName, shortened(at_seat->user(), kName.width));
     put(kMode, at_seat->mode());
     if (at_seat->program() != 0) put(kProgram, fmt::format("P{:04} N{:03}", at_seat->program(), at_seat->block()));
     if (at_seat->running()) put(kRunning, "●");
@@ -143,6 +144,13 @@ class Drawing {
     if (at_seat->remote() && control_of(seat).empty()) put(kControl, "REMOTE");  // its control listens to a computer
     if (at_seat->locked()) put(kControl, say({"gesperrt", "locked"}));
     if (!at_seat->taken_by().empty()) put(kControl, at_seat->taken_by());
+  }
+
+  /// Of the chosen seat, whose column is too narrow for it.
+  void draw_long_name() {
+    const auto* const chosen = model_.status ? seat_of(*model_.status, model_.chosen) : nullptr;
+    if (chosen == nullptr || from_utf8(chosen->user()).size() <= static_cast<std::size_t>(kName.width)) return;
+    screen_.write(kLongNameRow, kName.at, chosen->user(), Attribute::dim);
   }
 
   [[nodiscard]] std::string_view control_of(int seat) const {
@@ -227,15 +235,21 @@ class Drawing {
     write_message(kMessageRow + 1, Attribute::inverse);
   }
 
+  /// What waits for a yes or no; nothing where nothing does.
+  [[nodiscard]] std::optional<std::string> question() const {
+    if (model_.overlay == Overlay::ask_quit && model_.status) {
+      const Text quit{"Platz {} hat die Steuerung und behält sie. Beenden? j/n",
+                      "Station {} has control and keeps it. Quit? y/n"};
+      return fmt::format(fmt::runtime(say(quit)), model_.status->selected());
+    }
+    if (model_.overlay != Overlay::ask_erase || !model_.asked_about) return std::nullopt;
+    const Text erase{"{}: Konto und Programme für immer löschen? j/n", "{}: delete account and programs for good? y/n"};
+    return fmt::format(fmt::runtime(say(erase)), model_.asked_about->student_remove().name());
+  }
+
   void draw_message() {
     if (model_.overlay == Overlay::entry) return draw_entry();
-    if (model_.overlay == Overlay::ask_quit && model_.status) {
-      const Text question{"Platz {} hat die Steuerung und behält sie. Beenden? j/n",
-                          "Seat {} has control and keeps it. Quit? y/n"};
-      screen_.write(kMessageRow, 1, fmt::format(fmt::runtime(say(question)), model_.status->selected()),
-                    Attribute::inverse);
-      return;
-    }
+    if (const auto asked = question()) return screen_.write(kMessageRow, 1, *asked, Attribute::inverse);
     const auto attribute = model_.message.is_error ? Attribute::inverse : Attribute::normal;
     write_message(kMessageRow, attribute);
   }
@@ -261,7 +275,7 @@ class Drawing {
   void draw_help() {
     static constexpr std::array<Text, 16> kLines{{
         {"1-9 ↑ ↓ Maus  Platz wählen            s Enter  Maschine anbieten (S: mit Halt)",
-         "1-9 ↑ ↓ mouse choose a seat           s Enter  offer the machine (S: stops it)"},
+         "1-9 ↑ ↓ mouse choose a station        s Enter  offer the machine (S: stops it)"},
         {"r             zurücknehmen (R: mit Halt)    p  Antriebe stromlos, wieder ein",
          "r             take it back (R: stops it)    p  drives without current, back on"},
         {"F12 h         MASCHINE HALT: Rampe, Spindel und Kühlmittel aus; c hebt ihn auf",

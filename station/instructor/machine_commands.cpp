@@ -96,6 +96,7 @@ void add_machine(CommandTable& table) {
     if (!file->empty() && tape.empty())
       throw CLI::ValidationError("FILE", *file + " is empty");  // would print the list
     c.request.mutable_tools()->set_tape(tape);
+    c.sent_file = *file;
   });
   tools.add_option("file", *file, "a tape with program P0000")->type_name("FILE")->check(CLI::ExistingFile);
   const auto size = value<std::vector<double>>();
@@ -107,7 +108,7 @@ void add_machine(CommandTable& table) {
     set->set_y(size->at(1));
     set->set_z(size->at(2));
   });
-  workpiece.add_option("size", *size, "X Y Z in mm")->type_name("X Y Z")->expected(3)->check(CLI::PositiveNumber);
+  workpiece.add_option("size", *size, "X Y Z in mm")->type_name("X Y Z")->expected(3);
 }
 
 void add_classroom(CommandTable& table) {

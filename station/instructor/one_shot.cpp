@@ -75,6 +75,7 @@ awaitable<Result<void>> carry_out(station::Client& client, Command& command, std
   if (!command.content_file.empty()) file.emplace(command.content_file);
   Sink to_output = [out](const v1::InstructorItem& item) { print(item, out); };
   auto done = co_await ask(client, std::move(command.request), std::move(to_output), file ? &*file : nullptr);
+  if (!done) done.error().text = with_sent_file(command, done.error().text);
   if (done && command.is_collection) co_return split(command.content_file, out);
   if (done && file) print_done(out, command.content_file.string());
   co_return done;

@@ -41,6 +41,7 @@ void add_program_copies(CommandTable& program) {
   auto& send = program.add("send", "copies the programs of a tape file to students", [=](Command& c) {
     auto* request = c.request.mutable_program_send();
     request->set_tape(content_of(*tape));
+    c.sent_file = *tape;
     for (const auto& name : *names) request->add_students(name);
     request->set_all(*all);
     request->set_replace(*replace);

@@ -60,11 +60,12 @@ std::expected<std::string, Failure> password_in(const std::filesystem::path& fil
   constexpr int kUsage = static_cast<int>(station::ExitCode::usage);
   std::ifstream stream(file);
   std::string line;
-  if (!std::getline(stream, line) || line.empty()) {
+  std::getline(stream, line);
+  if (line.ends_with('\r')) line.pop_back();
+  if (line.empty()) {
     return std::unexpected(Failure{kUsage, file.string() + own_words({": kein Passwort in der ersten Zeile",
                                                                       ": no password in the first line of the file"})});
   }
-  if (line.ends_with('\r')) line.pop_back();
   if (station::line_not_utf8(line)) {
     return std::unexpected(Failure{kUsage, file.string() + ":1: " + own_words(station::kNotUtf8)});
   }

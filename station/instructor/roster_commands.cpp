@@ -13,7 +13,7 @@ void add_student_add(CommandTable& student) {
   auto& add = student.add("add", "adds somebody; without a file prints a one-time password", [=](Command& c) {
     auto* request = c.request.mutable_student_add();
     request->set_name(*name);
-    if (!file->empty()) request->set_password(first_line_of(*file));
+    if (!file->empty()) request->set_password(password_of(*file));
     request->set_must_change(*must_change);
     request->set_role(*role);
     request->set_language(*language);

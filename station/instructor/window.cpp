@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "station/curses_attribute.hpp"
+#include "station/overlays.hpp"
 #include "station/terminal_input.hpp"
 
 namespace cnclab::instructor {
@@ -49,7 +50,7 @@ station::Coding coding() {
 }
 
 void put(const Screen& stands, int left, station::Glyphs glyphs) {
-  const Screen screen = glyphs == station::Glyphs::ascii ? station::with_wide_arrows(stands) : stands;
+  const Screen screen = glyphs == station::Glyphs::ascii ? station::spelled_out(stands) : stands;
   const int rows = std::min(LINES, Screen::kRows);
   const int columns = std::min(COLS - left, Screen::kColumns);
   for (int row = 0; row < rows; ++row) {
@@ -92,6 +93,13 @@ void Window::show(const Drawn& drawn) {
   refresh();
 }
 
+void Window::show_too_small(station::Language language) {
+  Screen screen;
+  screen.write(0, 0, station::too_small_text(LINES, COLS, language));
+  show({screen, std::nullopt});
+}
+
+bool Window::has_room() { return LINES >= Screen::kRows && COLS >= Screen::kColumns; }
 int Window::columns() { return COLS; }
 
 std::optional<Input> Window::next_input() {

@@ -21,6 +21,10 @@ class Window {
 
   /// Brings what was drawn to the terminal's top left corner; what does not fit is cut.
   void show(const Drawn& drawn);
+  /// Says how large the terminal has to be.
+  void show_too_small(station::Language language);
+  /// The terminal has room for 24 rows of 80 columns.
+  [[nodiscard]] static bool has_room();
   [[nodiscard]] static int columns();
   /// What the user did; nothing while they do nothing. Never waits.
   [[nodiscard]] std::optional<Input> next_input();

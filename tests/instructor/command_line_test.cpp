@@ -239,13 +239,41 @@ INSTANTIATE_TEST_SUITE_P(
                     FaultRow{"halt now", "„now“ ist zu viel. So: halt", R"("now" is too much. Usage: halt)"},
                     FaultRow{"workpiece 1 2", "„1 2“ passt nicht zu X Y Z. So: workpiece [X Y Z]",
                              R"("1 2" does not fit X Y Z. Usage: workpiece [X Y Z])"},
+                    FaultRow{"workpiece 1 2 breit", "„1 2 breit“ passt nicht zu X Y Z. So: workpiece [X Y Z]",
+                             R"("1 2 breit" does not fit X Y Z. Usage: workpiece [X Y Z])"},
                     FaultRow{"program send /nowhere anna",
-                             "„/nowhere“ gibt es nicht. So: program send FILE [NAME…] [--all] [--replace]",
-                             R"("/nowhere" does not exist. Usage: program send FILE [NAME…] [--all] [--replace])"},
+                             "Die Datei „/nowhere“ gibt es nicht. So: program send FILE [NAME…] [--all] [--replace]",
+                             R"(There is no file "/nowhere". Usage: program send FILE [NAME…] [--all] [--replace])"},
                     FaultRow{"student",
                              "Unvollständig oder widersprüchlich. So: student add|set|remove|restore|rename|password",
                              "Incomplete or contradictory. Usage: student add|set|remove|restore|rename|password"},
                     FaultRow{"", "Einen Befehl eingeben, z. B. students.", "A command is needed, e.g. students."}));
+
+TEST(CommandLine, INS_005_a_fault_of_a_connection_option_names_it_and_not_the_command) {
+  setenv("LC_ALL", "de_DE.UTF-8", 1);
+  EXPECT_EQ(read_command_line({"--password-file", "/nix", "status"}).error().text,
+            "error: --password-file: Die Datei „/nix“ gibt es nicht.\n");
+  EXPECT_EQ(read_command_line({"--bogus", "status"}).error().text, "error: „--bogus“ ist zu viel. So: status\n");
+  EXPECT_THAT(read_command_line({"student", "add", "anna", "--password-file", "/nix"}).error().text,
+              testing::StartsWith("error: --password-file: Die Datei „/nix“ gibt es nicht. So: student add NAME"));
+  unsetenv("LC_ALL");
+}
+
+TEST(CommandLine, SEC_002_a_file_without_a_password_adds_nobody) {
+  for (const char* const content : {"", "\n", "\r\nsecret\n"}) {
+    const auto file = file_with("empty", content);
+    const auto line = read_command_line({"student", "add", "anna", "--password-file", file});
+    ASSERT_FALSE(line);
+    EXPECT_THAT(line.error().text, testing::StartsWith("error: " + file + ": "));
+  }
+}
+
+TEST(CommandLine, version_is_told_as_by_the_station) {
+  const auto line = read_command_line({"--version"});
+  ASSERT_FALSE(line);
+  EXPECT_EQ(line.error().exit_code, 0);
+  EXPECT_THAT(line.error().text, testing::StartsWith("cnclab-instructor "));
+}
 
 TEST(CommandLine, INS_005_files_that_are_not_UTF_8_are_refused_with_their_line) {
   const std::string latin1 = "anna\nm\xfcller\n";
@@ -262,6 +290,14 @@ TEST(CommandLine, INS_005_files_that_are_not_UTF_8_are_refused_with_their_line) 
   }
   EXPECT_THAT(read_command_line({"message", "all", "Gr\xfc\xdf Gott"}).error().text, testing::HasSubstr("UTF-8"));
   EXPECT_TRUE(read_command_line({"message", "all", "Grüß Gott"}));
+}
+
+TEST(CommandLine, INS_003_faults_in_a_sent_file_name_the_file) {
+  const auto sent = read_command_line({"program", "send", tape(), "anna"});
+  ASSERT_TRUE(sent && sent->command);
+  EXPECT_EQ(with_sent_file(*sent->command, "3: P0001 N002: falsch"), tape() + ":3: P0001 N002: falsch");
+  EXPECT_EQ(with_sent_file(*sent->command, "anna hat schon ein Programm"), "anna hat schon ein Programm");
+  EXPECT_EQ(with_sent_file(*read_command_line({"status"})->command, "3: x"), "3: x");
 }
 
 TEST(ProgramNumber, BLK_007_has_up_to_four_digits_with_or_without_P) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "console_rig.hpp"
+#include "instructor/command_line.hpp"
 
 namespace cnclab::instructor {
 namespace {
@@ -164,14 +165,68 @@ TEST(ConsoleModel, AUTH_016_nobody_types_at_a_keyboard_that_was_given_back) {
   EXPECT_EQ(model.message.text, "Die Tastatur ist zurückgegeben.");
 }
 
-TEST(ConsoleModel, INS_005_a_command_without_a_detail_says_that_it_is_done_and_an_empty_list_that_it_is_empty) {
-  v1::InstructorRequest request;
-  request.mutable_message()->set_text("Pause");
+struct DoneRow {
+  std::string command, detail, german, english;
+};
+
+void PrintTo(const DoneRow& row, std::ostream* out) { *out << row.command; }
+
+class DoneCommand : public testing::TestWithParam<DoneRow> {};
+
+TEST_P(DoneCommand, is_told_in_a_sentence) {
+  const auto command = read_command(words_of(GetParam().command), station::Language::german);
+  ASSERT_TRUE(command) << command.error();
   v1::InstructorAnswer answer;
-  answer.add_items()->mutable_done()->set_ok(true);
-  EXPECT_EQ(with_answer(connected(), request, answer).message.text, "Erledigt.");
+  answer.add_items()->mutable_done()->set_detail(GetParam().detail);
+  ConsoleModel model = connected();
+  EXPECT_EQ(with_answer(model, command->request, answer).message.text, GetParam().german);
+  model.language = station::Language::english;
+  EXPECT_EQ(with_answer(model, command->request, answer).message.text, GetParam().english);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    INS_005, DoneCommand,
+    testing::Values(
+        DoneRow{"student remove imp1", "imp1", "Entfernt: imp1. student restore holt zurück.",
+                "Removed: imp1. student restore brings it back."},
+        DoneRow{"student remove imp1 --erase", "imp1", "Endgültig gelöscht: imp1.", "Deleted for good: imp1."},
+        DoneRow{"student rename a b", "b", "Heißt jetzt b.", "Is called b now."},
+        DoneRow{"export exp.csv", "exp.csv", "Geschrieben: exp.csv", "Written: exp.csv"},
+        DoneRow{"message all Pause", "", "Nachricht gesendet.", "Message sent."},
+        DoneRow{"input 11 on", "", "Eingang 11 ein.", "Input 11 on."},
+        DoneRow{"remote 3 off", "", "REMOTE an Platz 3 aus.", "REMOTE at station 3 off."},
+        DoneRow{"ram-fault 3 on", "", "Speicherfehler an Platz 3 ein.", "Memory fault at station 3 on."},
+        DoneRow{"expel 12", "", "Platz 12 ist abgemeldet.", "Station 12 is logged out."},
+        DoneRow{"program collect /tmp", "/tmp: 4", "Eingesammelt, Dateien in /tmp: 4", "Collected, files in /tmp: 4"},
+        DoneRow{"show off", "", "Jeder Platz zeigt wieder sein eigenes Bild.",
+                "Every station shows its own screen again."},
+        DoneRow{"clear-halt", "", "Halt aufgehoben.", "Halt cleared."},
+        DoneRow{"clear-halt", "Es war kein Halt gedrückt.", "Es war kein Halt gedrückt.",
+                "Es war kein Halt gedrückt."}));
+
+TEST(ConsoleModel, INS_005_an_empty_list_says_that_it_is_empty) {
+  v1::InstructorRequest request;
   request.mutable_runs()->set_name("anna");
   EXPECT_EQ(with_answer(connected(), request, {}).message.text, "Keine Einträge.");
+}
+
+TEST(ConsoleModel, AUTH_006_in_a_window_too_small_to_see_anything_only_a_stop_acts) {
+  ConsoleModel model = connected();
+  model.is_too_small = true;
+  for (const Input& input : {Input(Typed{U's'}), Input(Typed{U'c'}), Input(Special::enter), Input(Typed{U'q'}),
+                             Input(Typed{U':'}), Input(Clicked{kFirstSeatRow})}) {
+    const Reaction reaction = react(model, input);
+    EXPECT_EQ(asked(reaction), "-");
+    EXPECT_FALSE(reaction.quits);
+    EXPECT_EQ(reaction.model.overlay, Overlay::none);
+    EXPECT_EQ(reaction.model.chosen, 7);
+  }
+  EXPECT_EQ(asked(react(model, Typed{U'h'})), "halt { }");
+  EXPECT_EQ(asked(react(model, Special::halt)), "halt { }");
+  model.overlay = Overlay::watching;
+  model.watched = {.station = 7, .screen = {}, .is_typing = true};
+  EXPECT_EQ(react(model, Typed{U' '}).keys, std::vector{Key::STOP});
+  EXPECT_TRUE(react(model, Typed{U's'}).keys.empty());
 }
 
 TEST(ConsoleModel, AUTH_005_an_accepted_select_tells_what_the_student_has_to_do) {
@@ -184,7 +239,7 @@ TEST(ConsoleModel, AUTH_005_an_accepted_select_tells_what_the_student_has_to_do)
   auto english = connected();
   english.language = station::Language::english;
   EXPECT_EQ(with_answer(english, request, answer).message.text,
-            "Seat 7: control offered; the seat accepts with START.");
+            "Station 7: control offered; it is accepted there with START.");
 }
 
 }  // namespace

@@ -246,5 +246,40 @@ TEST(ConsoleWatching, SEAT_005_a_lost_line_ends_watching_and_typing) {
   EXPECT_THAT(react(model, Typed{U'7'}).keys, IsEmpty());
 }
 
+/// `:student remove anna --erase` and Enter.
+Reaction order_erase() {
+  ConsoleModel model = connected();
+  model.overlay = Overlay::entry;
+  model.entry = "student remove anna --erase";
+  return react(model, Special::enter);
+}
+
+TEST(ConsoleErase, INS_004_what_cannot_come_back_is_asked_about_first) {
+  const Reaction asked_first = order_erase();
+  EXPECT_EQ(asked(asked_first), "-");
+  EXPECT_EQ(asked_first.model.overlay, Overlay::ask_erase);
+  for (const char32_t yes : {U'j', U'J', U'y', U'Y'}) {
+    const Reaction sent = react(asked_first.model, Typed{yes});
+    EXPECT_EQ(asked(sent), R"(student_remove { name: "anna" erase: true })");
+    EXPECT_EQ(sent.model.overlay, Overlay::none);
+  }
+}
+
+TEST(ConsoleErase, INS_004_any_other_key_deletes_nothing_and_a_halt_acts) {
+  for (const Input& no : {Input(Typed{U'n'}), Input(Special::enter), Input(Special::escape), Input(Pasted{U'j'})}) {
+    const Reaction kept = react(order_erase().model, no);
+    EXPECT_EQ(asked(kept), "-");
+    EXPECT_EQ(kept.model.message.text, std::holds_alternative<Pasted>(no) ? "" : "Nichts gelöscht.");
+  }
+  EXPECT_EQ(asked(react(order_erase().model, Special::halt)), "halt { }");
+}
+
+TEST(ConsoleErase, INS_004_archiving_asks_nothing) {
+  ConsoleModel model = connected();
+  model.overlay = Overlay::entry;
+  model.entry = "student remove anna";
+  EXPECT_EQ(asked(react(model, Special::enter)), R"(student_remove { name: "anna" })");
+}
+
 }  // namespace
 }  // namespace cnclab::instructor

@@ -57,6 +57,24 @@ TEST(ConsoleView, INS_001_every_seat_has_a_line_with_who_what_and_control) {
   EXPECT_EQ(trimmed(screen, 16), "  15 (frei)");
 }
 
+TEST(ConsoleView, INS_001_long_names_differ_where_they_do_and_the_chosen_one_is_told_whole) {
+  ConsoleModel model = lesson();
+  model.status->mutable_stations(0)->set_user("schueler-2026-01");
+  model.status->mutable_stations(1)->set_user("schueler-2026-02");
+  model.chosen = 9;
+  const Screen screen = draw_console(model).screen;
+  EXPECT_THAT(trimmed(screen, 8), testing::StartsWith("   7 schuel…26-01 AUTOMAT"));
+  EXPECT_THAT(trimmed(screen, 10), testing::StartsWith(" > 9 schuel…26-02 EINGABEMODUS"));
+  EXPECT_EQ(trimmed(screen, 17), "     schueler-2026-02");
+}
+
+TEST(ConsoleView, INS_004_the_question_before_somebody_is_deleted_names_who) {
+  ConsoleModel model = lesson();
+  model.overlay = Overlay::ask_erase;
+  model.asked_about.emplace().mutable_student_remove()->set_name("anna");
+  EXPECT_EQ(trimmed(draw_console(model).screen, 21), " anna: Konto und Programme für immer löschen? j/n");
+}
+
 TEST(ConsoleView, INS_001_the_name_of_every_key_fits_its_column) {
   for (int number = 1; number <= kKeys; ++number) {
     const std::string name(name_of(static_cast<Key>(number)));

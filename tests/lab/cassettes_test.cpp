@@ -115,7 +115,7 @@ TEST_F(Cassettes, DEC_33_ARecordingIsKeptWhenTheMotorStopsAndReadAfterAnotherLog
   log_in_again();
   with_database([](db::Database& database) { database.remove_program(database.person("eva")->id, 1, {"eva", 7, 2}); });
   rewind_and_read();
-  wait_for("Gelesen und gespeichert: 1 Programme.");
+  wait_for("Gelesen und gespeichert, Programme: 1.");
 }
 
 TEST_F(Cassettes, D_107_AFlippedByteInTheDatabaseIsAChecksumFault) {

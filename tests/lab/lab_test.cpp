@@ -50,6 +50,22 @@ TEST_F(LabTest, SEAT_003_ASecondLoginAsksThenTakesOver) {
   EXPECT_EQ(bye->bye().exit_code(), 6U);
 }
 
+// A German form is not answered in the language of an account that has not been let in.
+TEST_F(LabTest, SEAT_002_UntilTheLoginIsDoneTheLabSpeaksItsOwnLanguage) {
+  with_database([](db::Database& database) {
+    for (const char* const name : {"eva", "udo"}) database.set_language(database.person(name)->id, "en");
+  });
+  Caller eva = call(), udo = call(), twice = call();
+  log_in(eva, "eva", 7);
+  EXPECT_EQ(eva.login()->language(), "en");
+  log_in(udo, "udo", 7);
+  EXPECT_EQ(udo.login()->text(), "An diesem Platz sitzt schon eva.");
+  log_in(twice, "eva", 8);
+  EXPECT_EQ(twice.login()->text(), "Schon angemeldet an Platz 7.");
+  log_in(twice, "eva", 8, "geheim123", v1::ELSEWHERE_LOOK_ON);
+  EXPECT_EQ(twice.login()->language(), "en") << "who looks on has logged in";
+}
+
 TEST_F(LabTest, SEAT_004_ATicketBringsBackTheSameSeatAndReplacesTheOldLine) {
   Caller eva = call();
   log_in(eva, "eva", 7);

@@ -186,6 +186,17 @@ TEST(LaborScreen, AVersionSaysNumberTimeChangeAndWho) {
   EXPECT_THAT(bottom_of(menu, Tongue::english), HasSubstr("block N005 deleted"));
 }
 
+TEST(LaborScreen, STO_005_the_seat_stands_behind_a_long_name_and_the_whole_name_where_it_is_chosen) {
+  LaborMenu menu({});
+  static_cast<void>(press(menu, {"1", "1", "7", "ENTER"}));
+  const std::string name = "müller-überlang-von-der-" + std::string(8, 'x');
+  menu.show_versions(std::uint16_t{7}, {{1234, 1'700'000'000'000, name, 12, "delete", 5}});
+  EXPECT_THAT(bottom_of(menu, Tongue::german), HasSubstr("müller-ü…xxxxxxxx, Platz 12"));
+  EXPECT_THAT(bottom_of(menu, Tongue::english), HasSubstr("…xxxxxxx, station 12"));
+  static_cast<void>(press(menu, {"1"}));
+  EXPECT_THAT(bottom_of(menu, Tongue::german), HasSubstr("von " + name + ", Platz 12"));
+}
+
 TEST(LaborScreen, NoPageIsCutInEitherLanguage) {
   const auto check = [](const LaborMenu& menu) {
     for (const Tongue tongue : {Tongue::german, Tongue::english})

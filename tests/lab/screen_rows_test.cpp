@@ -122,7 +122,7 @@ TEST_F(ScreenRows, AUTH_006_HaltIsNamedWithSeatAndNameInTheReadersLanguage) {
   key(udo_, Key::MASCHINE_HALT);
   EXPECT_EQ(side(eva_, 16), "HALT Platz 12");
   EXPECT_EQ(side(eva_, 17), "udo");
-  EXPECT_EQ(side(udo_, 16), "HALT Seat 12");
+  EXPECT_EQ(side(udo_, 16), "HALT Station");
   key(eva_, Key::MASCHINE_HALT);
   EXPECT_EQ(side(eva_, 16), "HALT Platz 12") << "the first of those who hold it";
   key(udo_, Key::MASCHINE_HALT);

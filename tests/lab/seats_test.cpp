@@ -143,5 +143,40 @@ TEST_F(SeatsOfALab, SEC_007_what_is_ordered_for_a_seat_is_for_who_sits_there_now
   EXPECT_TRUE(udo.visit->desk->is_locked);
 }
 
+TEST_F(SeatsOfALab, INS_004_a_language_set_while_the_control_was_kept_holds_from_the_next_login_on) {
+  cut(eva);
+  const auto set = order([](auto& request) {
+    request.mutable_student_set()->set_name("eva");
+    request.mutable_student_set()->set_language("en");
+  });
+  ASSERT_EQ(set.error(), "");
+  Caller again = call();
+  log_in(again, "eva", kSeat);
+  alive.push_back(&again);
+  EXPECT_EQ(again.login()->language(), "en");
+  pass_ms(100);
+  EXPECT_THAT(again.screen.text(0), HasSubstr("Station 07"));
+}
+
+TEST_F(SeatsOfALab, AUTH_006_clearing_a_halt_that_nobody_pressed_says_so) {
+  const auto clear = [&] { return order([](auto& request) { request.mutable_clear_halt(); }).items(0).done(); };
+  EXPECT_EQ(clear().detail(), "Es war kein Halt gedrückt.");
+  static_cast<void>(order([](auto& request) { request.mutable_halt(); }));
+  EXPECT_EQ(clear().detail(), "");
+  EXPECT_EQ(status().halted_by(), "");
+}
+
+TEST_F(SeatsOfALab, INS_003_a_fault_of_a_sent_file_names_its_line_and_a_place_only_where_there_is_one) {
+  const auto fault = [&](const std::string& tape) {
+    return order([&](auto& request) {
+             request.mutable_program_send()->set_tape(tape);
+             request.mutable_program_send()->set_all(true);
+           })
+        .error();
+  };
+  EXPECT_THAT(fault("g01\n"), testing::StartsWith("1: Kleinbuchstabe"));
+  EXPECT_THAT(fault("P0001\nN001G01X+\n%"), testing::StartsWith("2: P0001 N001: "));
+}
+
 }  // namespace
 }  // namespace cnclab::lab

@@ -54,7 +54,7 @@ TEST_F(ExternalData, ACassetteGivesBackAProgram_EXT_010_to_023) {
   bench.keys("MENU EINGABE 1 ENTER 2 ENTER SATZ_LOESCHEN MENU EXTERNE_DATEN");
   rewind();
   bench.keys("6 1 ENTER");
-  until("Gelesen und gespeichert: 1 Programme.");
+  until("Gelesen und gespeichert, Programme: 1.");
   EXPECT_EQ(memory(), before);
 }
 
@@ -64,7 +64,7 @@ TEST_F(ExternalData, AWholeMemoryReplacesEverything_EXT_024_DEC_57) {
   bench.keys("MENU EINGABE 5 ENTER 1 ENTER 0 5 EINGABE MENU EXTERNE_DATEN");
   rewind();
   bench.keys("6 CLEAR ENTER");
-  until("Gelesen und gespeichert: 3 Programme.");
+  until("Gelesen und gespeichert, Programme: 3.");
   EXPECT_EQ(memory(), "P0000\nT001R+5000L+0\n" + before.substr(before.find("P0007")));
 }
 
@@ -131,7 +131,7 @@ TEST_F(ExternalData, MachineDataOfAFileAreChosenAtThePrompt_EXT_026_KEY_066_MD_0
   const auto f_max = [&] { return bench.control.data().get(6); };
   const std::int64_t before = f_max();
   bench.keys("8 CLEAR ENTER");
-  EXPECT_EQ(bench.row(18), "Gelesen und gespeichert: 1 Programme. Gerät wählen.");
+  EXPECT_EQ(bench.row(18), "Gelesen und gespeichert, Programme: 1. Gerät wählen.");
   bench.keys("8 SIGN");
   EXPECT_EQ(bench.monitor(10), kChosen);
   bench.keys("SIGN");  // and not after all
@@ -275,11 +275,11 @@ TEST_F(ExternalData, SmallLettersOfADisketteAreSkippedAndTold_DEC_30) {
   bench.media["P0004.nc"] = "P0004 (Nut links)\nN001 G01 X+1000 hallo\n%\n";
   bench.keys("8 CLEAR 4 ENTER");
   EXPECT_THAT(memory(), HasSubstr("P0004\nN001G01X+1000\n"));
-  EXPECT_EQ(bench.row(18), "Gelesen und gespeichert: 1 Programme. Gerät wählen. Kleinbuchstaben hat die");
+  EXPECT_EQ(bench.row(18), "Gelesen und gespeichert, Programme: 1. Gerät wählen. Kleinbuchstaben hat die");
   EXPECT_EQ(bench.row(19), "Steuerung überlesen.");
   bench.media["P0005.nc"] = "P0005 (Nut rechts)\nN001 G01 X+1000\n%\n";
   bench.keys("8 CLEAR 5 ENTER");
-  EXPECT_EQ(bench.row(18), "Gelesen und gespeichert: 1 Programme. Gerät wählen.") << "comments are no loss";
+  EXPECT_EQ(bench.row(18), "Gelesen und gespeichert, Programme: 1. Gerät wählen.") << "comments are no loss";
   bench.media["P0006.nc"] = "hallo";
   bench.keys("8 CLEAR 6 ENTER");
   EXPECT_THAT(bench.row(18) + " " + bench.row(19), HasSubstr("Kleinbuchstaben hat die Steuerung überlesen."));
@@ -296,6 +296,20 @@ TEST_F(ExternalData, AReservedNumberIsLeftOutAndTold_DEC_06) {
   EXPECT_THAT(bench.row(18) + " " + bench.row(19), HasSubstr("P9981 bis P9989"));
   bench.keys("8 1 ENTER");
   EXPECT_THAT(bench.row(18) + " " + bench.row(19), Not(HasSubstr("P9981"))) << "nobody asked for it";
+}
+
+TEST_F(ExternalData, AnEmptyMemoryAndTheCyclesAreToldAsWhatTheyAre) {
+  for (const char* const keys : {"1 CLEAR 9 9 8 1 ENTER", "4 CLEAR 9 9 8 9 ENTER"}) {
+    bench.keys(keys);
+    EXPECT_EQ(bench.monitor(15), "Reserviert fuer Zyklen") << keys;
+    EXPECT_THAT(bench.row(18), HasSubstr("P9981 bis P9989")) << keys;
+  }
+  erase_everything();
+  for (const char* const keys : {"1 CLEAR ENTER", "3 CLEAR ENTER", "4 CLEAR ENTER"}) {
+    bench.keys(keys);
+    EXPECT_EQ(bench.monitor(15), "Programm fehlt") << keys;
+    EXPECT_THAT(bench.row(18), HasSubstr("Der Speicher ist leer")) << keys;
+  }
 }
 
 TEST_F(ExternalData, AStoreThatFailsEndsTheTransfer) {

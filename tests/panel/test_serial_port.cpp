@@ -29,7 +29,7 @@ TEST_F(SerialPortTest, EXT_054_055_AllProgramsAreReadUntilThePercentSign) {
   EXPECT_EQ(heard(), "<1>");
   say("P0003N001G04H0001\0\0\0\0\0\0P0001N009G04H0002%"sv);
   EXPECT_EQ(heard(), "<3><3><1><3><3>");
-  EXPECT_THAT(bench.row(18), HasSubstr("Gelesen und gespeichert: 2 Programme"));
+  EXPECT_THAT(bench.row(18), HasSubstr("Gelesen und gespeichert, Programme: 2."));
   EXPECT_THAT(memory(), HasSubstr("P0003\nN001G04H0001\n"));
   EXPECT_THAT(memory(), HasSubstr("P0001\nN009G04H0002\n")) << "EXT-054: the old one is deleted";
   EXPECT_THAT(memory(), Not(HasSubstr("N002G04H0010")));

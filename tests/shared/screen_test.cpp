@@ -86,5 +86,13 @@ RC_GTEST_PROP(Utf8, AnyBytesDecodeToAtMostOneCodePointEach, (const std::string& 
   RC_ASSERT(from_utf8(bytes).size() <= bytes.size());
 }
 
+TEST(Shortened, NamesThatDifferAtTheirEndsStillDo) {
+  EXPECT_EQ(shortened("schueler-2026-01", 12), "schuel…26-01");
+  EXPECT_EQ(shortened("schueler-2026-02", 12), "schuel…26-02");
+  EXPECT_EQ(shortened("müller-überlang-ß", 12), "müller…ang-ß");
+  EXPECT_EQ(shortened("zwölf Zeichn", 12), "zwölf Zeichn");
+  EXPECT_EQ(shortened("abcd", 3), "a…d");
+}
+
 }  // namespace
 }  // namespace cnclab

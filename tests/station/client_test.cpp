@@ -150,7 +150,7 @@ TEST(Client, AForeignProtocolVersionIsExitCode8AndNamesTheVersions) {
 
 /// Where somebody listened a moment ago.
 Address closed_address(asio::io_context& context) {
-  const asio::ip::tcp::acceptor gone(context, {asio::ip::address_v4::loopback(), 0});
+  const asio::ip::tcp::acceptor gone(context, asio::ip::tcp::endpoint(asio::ip::address_v4::loopback(), 0));
   return {"127.0.0.1", std::to_string(gone.local_endpoint().port())};
 }
 

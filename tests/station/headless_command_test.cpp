@@ -58,7 +58,7 @@ TEST(HeadlessCommand, WrongOnesSayWhatIsWrong) {
       {"hold 100 1+2+3+X", "unknown key 1+2+3+X"},
       {"key +", "unknown key"},
       {"hold HAND", "hold MS"},
-      {"hold 5", "unknown key"},
+      {"hold 5", "hold MS"},
       {"hold -1 HAND", "hold MS"},
       {"hold 600001 HAND", "hold MS"},
       {"hold 5 HAND STOP", "hold MS"},

@@ -294,7 +294,8 @@ TEST(Headless, RefusedLoginsHaveTheirExitCodes) {
                                    says_nothing());
       EXPECT_EQ(outcome.ending.code, row.code) << row.name;
       EXPECT_FALSE(outcome.ending.text.empty()) << row.name;
-      EXPECT_EQ(outcome.ending.text == "Satz des Servers.", has_text) << row.name;
+      const bool names_options = row.result == v1::LOGIN_RESULT_ELSEWHERE;  // of which the server knows nothing
+      EXPECT_EQ(outcome.ending.text == "Satz des Servers.", has_text && !names_options) << row.name;
     }
   }
 }
@@ -304,6 +305,18 @@ TEST(Headless, ATakenSeatSaysWhoSitsThere) {  // SEAT-001
   answer.set_result(v1::LOGIN_RESULT_SEAT_TAKEN);
   answer.set_occupant("bert");
   EXPECT_NE(ending_of(answer, Language::german).text.find("bert"), std::string::npos);
+}
+
+TEST(Headless, SEAT_003_where_no_form_can_ask_the_options_that_help_are_named) {
+  v1::LoginAnswer answer;
+  answer.set_text("Schon angemeldet an Platz 13.");
+  answer.set_other_station(13);
+  answer.set_result(v1::LOGIN_RESULT_ELSEWHERE);
+  EXPECT_EQ(ending_of(answer, Language::german).text,
+            "Schon angemeldet an Platz 13: --take-over übernimmt, --look-on sieht zu.");
+  EXPECT_EQ(refusal_text(answer, Language::german), "Schon angemeldet an Platz 13.") << "the form asks itself";
+  answer.set_result(v1::LOGIN_RESULT_PASSWORD_EXPIRED);
+  EXPECT_NE(ending_of(answer, Language::english).text.find("--new-password-file"), std::string::npos);
 }
 
 TEST(Headless, TheLoginCarriesWhatTheCommandLineSays) {

@@ -149,6 +149,17 @@ TEST(KeyboardView, ShowsEveryKeyOnceWithoutOverlapWithin12Rows) {
   }
 }
 
+TEST(KeyboardView, DEC_01_without_Unicode_the_caps_are_spelled_out_within_their_width) {
+  const KeyboardView view(Language::german, true);
+  std::string labels;
+  for (const KeyCap& cap : view.caps()) {
+    labels += cap.label + "|" + cap.hint + "|";
+    EXPECT_LE(cap.label.size(), static_cast<std::size_t>(cap.width)) << cap.label;
+  }
+  for (const char* const expected : {"FRAESER|", "KUEHLM.|", "->|", "SP.LOES.|"})
+    EXPECT_NE(labels.find(expected), std::string::npos) << labels;
+}
+
 TEST(KeyboardView, HasTheThreeBlocksOfTheManual) {  // KEY-001 to KEY-004, D-07
   const KeyboardView view(Language::german);
   ASSERT_EQ(view.titles().size(), 3U);

@@ -79,6 +79,42 @@ TEST(Options, WrongOnesAreExitCode2AndNameTheOption) {
   }
 }
 
+TEST(Options, WrongOnesAreToldInTheLanguageOfTheLocale) {
+  struct Row {
+    std::vector<const char*> arguments;
+    const char *german, *english;
+  };
+  const std::string long_name = "ü" + std::string(31, 'x');
+  const Row rows[] = {
+      {{},
+       "--server fehlt, oder sein Wert: --server HOST:PORT.",
+       "--server is missing, or its value: --server HOST:PORT."},
+      {{"--server", "lab:1", "--station", "16"},
+       "--station: „16“ passt nicht zu 1-15.",
+       "--station: \"16\" does not fit 1-15."},
+      {{"--server", "lab:1", "--station", "x"},
+       "--station: „x“ passt nicht zu 1-15.",
+       "--station: \"x\" does not fit 1-15."},
+      {{"--server", "lab:1", "--media", "/nix"},
+       "--media: Den Ordner „/nix“ gibt es nicht.",
+       "--media: There is no folder \"/nix\"."},
+      {{"--server", "lab:1", "--take-over", "--look-on"}, "schließen einander aus.", "exclude each other."},
+      {{"--server", "lab:1", "--user", long_name.c_str()},
+       "höchstens 32 Bytes; ein Umlaut hat zwei",
+       "at most 32 bytes"},
+      {{"--server", "lab:1", "--frobnicate"}, "„--frobnicate“ ist zu viel.", "\"--frobnicate\" is too much."},
+  };
+  for (const Row& row : rows)
+    for (const bool is_german : {true, false}) {
+      setenv("LC_ALL", is_german ? "de_DE.UTF-8" : "en_GB.UTF-8", 1);
+      const auto options = parsed(row.arguments);
+      ASSERT_FALSE(options) << row.english;
+      EXPECT_NE(options.error().text.find(is_german ? row.german : row.english), std::string::npos)
+          << options.error().text;
+    }
+  unsetenv("LC_ALL");
+}
+
 TEST(Options, HelpEndsWell) {
   const auto options = parsed({"--help"});
   ASSERT_FALSE(options);

@@ -1,7 +1,10 @@
 // What the station draws itself: ASCII likenesses (DEC-01), the lost line (SEAT-005), help, login form.
 #include <gtest/gtest.h>
 
+#include <boost/asio/error.hpp>
+
 #include "station/cell_text.hpp"
+#include "station/connect_trouble.hpp"
 #include "station/headless.hpp"
 #include "station/login_form.hpp"
 #include "station/overlays.hpp"
@@ -19,16 +22,21 @@ TEST(CellText, Dec01LikenessesWithoutUnicode) {
   }
 }
 
-TEST(CellText, DEC_01_an_arrow_without_Unicode_is_two_characters_and_nothing_is_lost_behind_it) {
+TEST(CellText, DEC_01_signs_of_two_characters_in_ASCII_lose_nothing_behind_them) {
   struct Row {
     const char* stands;
     const char* shown;
   };
-  const Row rows[] = {{"Wort X eingeben, → zum nächsten. → weiter", "Wort X eingeben, -> zum nachsten. -> weiter"},
+  const Row rows[] = {{"Wort X eingeben, → zum nächsten. → weiter", "Wort X eingeben, -> zum naechsten. -> weiter"},
                       {"→  Wort   ↓  Satz", "-> Wort   v  Satz"},
                       {"│ DANACH →! │", "| DANACH ->!|"},
                       {"│voll →!│", "|voll >!|"},
-                      {"→", "->"}};
+                      {"→", "->"},
+                      {"SPEICHER LÖSCHEN   Löschen", "SPEICHER LOESCHEN  Loeschen"},
+                      {"Überlänge   Größe, für", "Ueberlaenge Groesse, fuer"},
+                      {"±X ±Y ±Z verschieben   SATZ LÖ.", "+-X +-Y +-Z verschieben SATZ LOE."},
+                      {"│voll ü│", "|voll u|"},
+                      {"−5", "-5"}};
   for (const Row& row : rows) {
     Screen screen;
     screen.write(18, 2, row.stands);
@@ -37,6 +45,16 @@ TEST(CellText, DEC_01_an_arrow_without_Unicode_is_two_characters_and_nothing_is_
     EXPECT_NE(reply.find("|  " + shown + " "), std::string::npos) << reply;
     EXPECT_NE(screen_reply(screen, false).find(row.stands), std::string::npos);
   }
+}
+
+TEST(CellText, A_cursor_behind_an_umlaut_stays_a_cursor) {
+  Screen screen;
+  screen.write(9, 30, "Müller");
+  screen.put(9, 36, {U' ', Attribute::inverse});
+  const Screen spelled = spelled_out(screen);
+  EXPECT_EQ(spelled.text(9).substr(30, 7), "Mueller");
+  EXPECT_EQ(spelled.at(9, 37).attribute, Attribute::inverse);
+  EXPECT_EQ(marks_reply(screen, true), "9 37 1\nend\n");
 }
 
 TEST(CellText, DEC_01_marks_move_with_the_text_behind_an_arrow) {
@@ -91,6 +109,56 @@ TEST(Overlays, ALostLineShowsSecondsAndNoLivePosition) {  // SEAT-005
   EXPECT_TRUE(contains(lost, "gilt nicht mehr"));
   EXPECT_TRUE(contains(lost, "kein Anschluss"));
   EXPECT_EQ(lost.at(3, 50).attribute, Attribute::dim);
+}
+
+TEST(Overlays, SEAT_005_why_the_line_is_lost_is_read_to_its_end) {
+  const Screen lost = with_lost_line(
+      Screen(), std::chrono::seconds(1),
+      "Kein Anschluss an 127.0.0.1:38365: dort antwortet kein Server. Läuft der Server, stimmt die Adresse?",
+      Language::german);
+  std::string all;
+  for (int row = 0; row < Screen::kRows; ++row) {
+    const std::string text = lost.text(row);
+    const auto begin = text.find("│ "), end = text.rfind(" │");
+    if (begin != std::string::npos && end > begin) all += text.substr(begin + 4, end - begin - 4);
+  }
+  std::string words;  // without the blanks at the rows' ends
+  for (const char c : all)
+    if (c != ' ' || !words.ends_with(' ')) words += c;
+  EXPECT_NE(words.find("38365: dort antwortet kein Server. Läuft der Server, stimmt die Adresse?"), std::string::npos)
+      << words;
+  EXPECT_TRUE(contains(lost, "q beendet."));
+}
+
+TEST(Overlays, SEAT_005_the_help_page_says_that_the_line_is_lost) {
+  const Screen help = with_lost_heading(help_screen(0, Language::english), std::chrono::seconds(7), Language::english);
+  EXPECT_TRUE(contains(help, "CONNECTION LOST  7 s"));
+  EXPECT_TRUE(contains(help, "all keys"));
+}
+
+TEST(Overlays, SEAT_006_who_looks_on_is_told_so_in_place_of_the_keys) {
+  Screen seen;
+  seen.write(3, 67, "TRAINING");
+  seen.write(23, 1, "? alle Tasten   HAND Handbetrieb");
+  const Screen shown = with_looking_on(seen, 5, Language::german);
+  EXPECT_EQ(shown.text(0).substr(2, 22), " Nur zusehen: Platz 5 ");
+  EXPECT_TRUE(contains(shown, "TRAINING"));
+  EXPECT_FALSE(contains(shown, "alle Tasten"));
+  EXPECT_EQ(shown.at(23, 2).attribute, Attribute::inverse);
+  EXPECT_TRUE(contains(shown, "Tasten wirken hier nicht.   q beendet das Zusehen"));
+  EXPECT_TRUE(contains(with_looking_on(seen, 5, Language::english), "Looking on: station 5"));
+  EXPECT_TRUE(contains(with_log_out_question(shown, true, Language::german), "Zusehen beenden?"));
+  EXPECT_FALSE(contains(with_log_out_question(shown, true, Language::german), "q beendet das Zusehen"));
+  EXPECT_TRUE(contains(with_log_out_question(seen, false, Language::german), "Abmelden?"));
+}
+
+TEST(ConnectTrouble, IsSaidInTheReadersWords) {
+  namespace basic = boost::asio::error;
+  EXPECT_EQ(connect_trouble(basic::connection_refused, Language::german), "dort antwortet kein Server");
+  EXPECT_EQ(connect_trouble(basic::connection_refused, Language::english), "no server answers there");
+  EXPECT_EQ(connect_trouble(basic::host_not_found, Language::german), "diesen Namen kennt das Netz nicht");
+  const boost::system::error_code other = basic::no_memory;
+  EXPECT_EQ(connect_trouble(other, Language::german), other.message());
 }
 
 TEST(Overlays, ThePotentiometerIsReadFromTheSideColumn) {
@@ -182,6 +250,23 @@ TEST(LoginForm, WrongEntriesAreExplainedAndKept) {
 TEST(LoginForm, ARefusalIsShown) {
   LoginForm form(question(v1::LOGIN_RESULT_REFUSED), false, false, Language::english);
   EXPECT_TRUE(contains(form.screen(), "Name or password wrong."));
+}
+
+TEST(LoginForm, SEAT_001_a_taken_seat_leads_back_to_the_seat_and_the_list_is_renewed) {
+  LoginQuestion taken = question(v1::LOGIN_RESULT_SEAT_TAKEN);
+  taken.refusal->set_occupant("bert");
+  taken.so_far.station = 7;
+  taken.so_far.user = "anna";
+  LoginForm form(taken, false, false, Language::german);
+  EXPECT_TRUE(contains(form.screen(), "bert"));
+  v1::Welcome newer;
+  newer.add_seats()->set_station(3);
+  newer.mutable_seats(0)->set_is_free(true);
+  form.renew_seats(newer);
+  EXPECT_TRUE(contains(form.screen(), "Freie Plätze: 3 "));
+  EXPECT_EQ(type(form, U"3\n\ngeheim\n"), LoginForm::State::submitted);
+  EXPECT_EQ(form.credentials().station, 3U);
+  EXPECT_EQ(form.credentials().user, "anna");
 }
 
 TEST(LoginForm, ANewPasswordIsEnteredTwice) {

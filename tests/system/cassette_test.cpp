@@ -57,7 +57,7 @@ TEST_F(CassetteSeat, DEC_33_STO_002_ARecordingSurvivesAKilledServer) {
   anna.type("6");
   anna.type("7");
   anna.key("ENTER");
-  anna.wait_for("Gelesen und gespeichert: 1 Programme.", 25s);
+  anna.wait_for("Gelesen und gespeichert, Programme: 1.", 25s);
   EXPECT_THAT(stored("P0007"), HasSubstr("N003G00Z+5000"));
 }
 

@@ -51,7 +51,7 @@ TEST_F(ConsoleInTerminal, INS_002_a_station_is_watched_typed_at_locked_and_shown
   terminal.wait_for("F8 gibt sie zur");
   anna.wait_for("lehrer hat diese Tastatur");
   terminal.type("\x1b[19~");  // F8
-  terminal.wait_for("LEHRERKONSOLE");
+  terminal.wait_for("LEHRKRAFT");
   anna.wait_gone("lehrer hat diese Tastatur");
   terminal.type("l");
   anna.wait_for("gesperrt");
@@ -73,7 +73,7 @@ TEST_F(ConsoleInTerminal, INS_002_after_watching_the_table_is_back_and_every_key
     terminal.wait_gone("jede andere Taste");
     anna.key("EINGABE");  // the answer to the end of watching has come when the table shows what was done after it
     terminal.wait_for("EINGABEMODUS");
-    EXPECT_THAT(terminal.text(), testing::HasSubstr("LEHRERKONSOLE"));
+    EXPECT_THAT(terminal.text(), testing::HasSubstr("LEHRKRAFT"));
     anna.key("MENU");
     terminal.wait_gone("EINGABEMODUS");
   }
@@ -113,7 +113,7 @@ TEST_F(ConsoleInTerminal, INS_002_in_a_wide_terminal_the_watched_screen_stands_b
   terminal.wait_for("jede andere Taste");
   anna.key("EINGABE");
   terminal.wait_for("EINGABEMODUS");
-  EXPECT_THAT(terminal.text(), testing::HasSubstr("LEHRERKONSOLE"));
+  EXPECT_THAT(terminal.text(), testing::HasSubstr("LEHRKRAFT"));
   EXPECT_THAT(terminal.text(), testing::HasSubstr("CNC 3300"));
 }
 
@@ -179,6 +179,30 @@ TEST_F(ConsoleInTerminal, INS_002_a_click_and_the_arrows_choose_a_seat) {
     terminal.update();
     return terminal.is_inverse(row_of(13), 20);
   })) << terminal.text();
+}
+
+TEST_F(ConsoleInTerminal, a_window_too_small_says_so_and_nothing_but_a_halt_acts) {
+  Terminal terminal = console();
+  terminal.wait_for("verbunden");
+  terminal.resize(20, 70);
+  terminal.wait_for("Fenster zu klein: 80×24");
+  terminal.type("q");
+  terminal.type("h");
+  EXPECT_TRUE(eventually(kLimit, [&] { return room_.instructor().status()["halted_by"] == "lehrer"; }));
+  terminal.resize(24, 80);
+  terminal.wait_for("HALT: lehrer");
+}
+
+TEST_F(ConsoleInTerminal, a_terminal_without_a_movable_cursor_is_refused_with_a_sentence) {
+  for (const char* const program : {"cnclab-instructor", "cnclab-station"}) {
+    Terminal terminal({.program = programs_folder() / program,
+                       .arguments = {"--server", room_.server().address()},
+                       .environment = {{"TERM", "dumb"}, {"LC_ALL", "C.UTF-8"}},
+                       .rows = 24,
+                       .columns = 80});
+    terminal.wait_for("kein Bild zeichnen");
+    EXPECT_EQ(terminal.wait(kLimit), 2) << program;
+  }
 }
 
 TEST_F(ConsoleInTerminal, a_refusal_stands_on_the_message_line) {

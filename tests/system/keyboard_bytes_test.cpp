@@ -101,7 +101,7 @@ TEST_F(KeyboardBytes, AUTH_006_in_a_locale_without_umlauts_too) {
   beside.wait_for("q Ende");
   beside.type("\xF6h");
   EXPECT_TRUE(is_halted());
-  EXPECT_THAT(beside.text(), HasSubstr("s wahlen")) << "the console draws without Unicode there";
+  EXPECT_THAT(beside.text(), HasSubstr("s waehlen")) << "the console draws without Unicode there";
 }
 
 TEST_F(KeyboardBytes, at_the_console_Alt_and_a_letter_commands_nothing) {

@@ -35,7 +35,7 @@ TEST_F(Media, EXT_030_DEC_62_ADisketteTakesAProgramAndGivesItBack) {
   EXPECT_EQ(content("P0007.nc"), "P0007\nN001G11F1000\nN002G01X+12000Y-1500\nN003G00Z+5000\n%\n");
   lay("P0007.nc", "P0007\nN001G11F0500\nN002G01X+1\n%\n");
   transfer(anna, "8", "7");
-  anna.wait_for("Gelesen und gespeichert: 1 Programme.");
+  anna.wait_for("Gelesen und gespeichert, Programme: 1.");
   EXPECT_THAT(stored("P0007"), HasSubstr("N002G01X+1"));
   EXPECT_THAT(stored("P0007"), Not(HasSubstr("N003")));
 }
@@ -80,7 +80,7 @@ TEST_F(Media, DEC_57_STO_005_AWholeMemoryReplacesEverythingAndVersionsStay) {
   EXPECT_THAT(content("SPEICHER.nc"), EndsWith("%\n"));
   lay("SPEICHER.nc", "P0001N001G00X+1\nP0002N001G00X+2\n%\n");
   transfer(anna, "8", "C");
-  anna.wait_for("Gelesen und gespeichert: 2 Programme.");
+  anna.wait_for("Gelesen und gespeichert, Programme: 2.");
   EXPECT_THAT(stored("P0002"), HasSubstr("N001G00X+2"));
   EXPECT_EQ(stored("P0007"), "P0007\n%\n") << "removed: no blocks in its newest version";
   const auto versions = room().instructor().must({"program", "versions", "anna", "P0007"}).objects;

@@ -10,6 +10,7 @@
 #include <csignal>
 #include <filesystem>
 #include <fstream>
+#include <sstream>
 
 #include "harness/classroom.hpp"
 
@@ -137,6 +138,35 @@ TEST(ServerStart, a_data_folder_that_is_not_writable_is_told_with_the_remedy) {
   EXPECT_EQ(started.error().exit_code, 1);
   EXPECT_THAT(started.error().log, HasSubstr("/proc/self"));
   EXPECT_THAT(started.error().log, HasSubstr("--data"));
+}
+
+TEST(ServerStart, slips_of_the_pen_are_told_with_the_remedy_and_make_nothing) {
+  struct Row {
+    const char* name;
+    std::vector<std::string> arguments;
+    const char *told, *remedy;
+  };
+  const Row rows[] = {
+      {"address of another computer", {"--listen", "192.0.2.1:0"}, "does not have that address", "--listen"},
+      {"no configuration", {"--config", "/nowhere/lab.toml"}, "/nowhere/lab.toml", "--print-config"},
+      {"no lab there", {"--new-instructor-password"}, "there is no lab in", "--data DIR"}};
+  for (const Row& row : rows) {
+    const TemporaryFolder folder;
+    const fs::path data = folder.path() / "TYPO", log = folder.path() / "log";
+    std::vector<std::string> arguments{"--data", data.string()};
+    arguments.insert(arguments.end(), row.arguments.begin(), row.arguments.end());
+    ChildProcess server({.program = programs_folder() / "cnclab-server",
+                         .arguments = arguments,
+                         .environment = {},
+                         .stderr_file = log});
+    EXPECT_EQ(server.wait(kLimit), 1) << row.name;
+    std::ostringstream said;
+    said << std::ifstream(log).rdbuf();
+    EXPECT_THAT(said.str(), HasSubstr(row.told)) << row.name;
+    EXPECT_THAT(said.str(), HasSubstr(row.remedy)) << row.name;
+    const bool is_begun = row.arguments.front() == "--listen";  // its password is shown before anything can fail
+    EXPECT_EQ(fs::exists(data), is_begun) << row.name;
+  }
 }
 
 TEST(ServerStart, STO_008_a_damaged_database_is_refused_and_left_untouched) {

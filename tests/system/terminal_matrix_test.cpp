@@ -74,7 +74,7 @@ TEST_P(Terminals, AsciiDrawsTheSameWithPlusMinusBar) {
   terminal.wait_for("? alle Tasten");
   EXPECT_TRUE(terminal.row(0).starts_with("+--")) << terminal.text();
   EXPECT_TRUE(terminal.row(1).starts_with("|CNC 3300")) << terminal.text();
-  EXPECT_NE(terminal.text().find("SPEICHER LOSCHEN"), std::string::npos) << terminal.text();
+  EXPECT_NE(terminal.text().find("SPEICHER LOESCHEN"), std::string::npos) << terminal.text();
   terminal.type("\t");  // EINGABE, whose sentence names the key
   terminal.wait_for("->");
   for (const char c : terminal.text()) ASSERT_TRUE(c == '\n' || (c >= ' ' && c <= '~')) << terminal.text();

@@ -40,6 +40,27 @@ TEST_F(StationInTerminal, DEC_01_shows_the_same_24_by_80_cells_as_headless) {
   EXPECT_EQ(without_clock(first_rows(terminal)), expected);
 }
 
+TEST_F(StationInTerminal, SEAT_003_who_looks_on_is_told_so_and_asked_before_the_end) {
+  StationProcess seated = room_.seat(1, "anna");
+  StationOptions options = room_.station_options(2, "anna");
+  options.more = {"--look-on"};
+  Terminal terminal({.program = programs_folder() / "cnclab-station",
+                     .arguments = station_arguments(options),
+                     .environment = {{"XDG_STATE_HOME", (room_.folder().path() / "state").string()}},
+                     .rows = kScreenRows,
+                     .columns = kScreenColumns});
+  terminal.wait_for("Nur zusehen: Platz 1");
+  terminal.wait_for("Tasten wirken hier nicht");
+  seated.key("EINGABE");
+  terminal.wait_for("EINGABEMODUS");
+  terminal.type("m");  // no key acts
+  terminal.type("q");
+  terminal.wait_for("Zusehen beenden?");
+  EXPECT_NE(terminal.text().find("EINGABEMODUS"), std::string::npos);
+  terminal.type("q");
+  EXPECT_EQ(terminal.wait(kLimit), 0);
+}
+
 TEST_F(StationInTerminal, the_keyboard_is_shown_from_36_rows_and_a_click_presses_its_key) {
   Terminal terminal = room_.terminal(1, "anna", 40, kScreenColumns);
   terminal.wait_for("CNC 3300");

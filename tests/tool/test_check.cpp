@@ -204,5 +204,13 @@ TEST_F(CheckTest, SpeaksGermanWhenAsked) {
   EXPECT_THAT(said.err, HasSubstr("gibt es an dieser Steuerung nicht"));
 }
 
+TEST_F(CheckTest, AWordThatIsNoCommandIsNamedWithThoseThereAre) {
+  const Said said = tool("bogus");
+  EXPECT_EQ(said.exit_code, 2);
+  EXPECT_EQ(said.out, "");
+  EXPECT_THAT(said.err, HasSubstr("there is no command 'bogus'; commands: check, path, run, plot, convert, verify"));
+  EXPECT_EQ(tool("").exit_code, 2);
+}
+
 }  // namespace
 }  // namespace cnclab::tool

@@ -57,6 +57,8 @@ class Console {
   void status(const Reply& reply) const;
   void fill_station(v1::StationStatus& out, const std::shared_ptr<Desk>& desk) const;
   void decided(const Reply& reply, const Event& event) const;
+  /// Says so where there was none.
+  void clear_halt(const Reply& reply) const;
   void tools(const Reply& reply, const v1::SetTools& request) const;
   void workpiece(const Reply& reply, const v1::SetWorkpiece& request) const;
   void store_value(const Reply& reply, const std::string& key, const std::string& value,
@@ -116,7 +118,7 @@ class Console {
   Lab& lab_;
 };
 
-/// "3: P0001 N002: what is wrong"
+/// "3: P0001 N002: what is wrong": line of the file, place in the program where there is one
 [[nodiscard]] std::string tape_error(const language::Error& error, language::Tongue tongue);
 [[nodiscard]] v1::InstructorItem done_item(const std::string& detail);
 

@@ -133,6 +133,11 @@ void Console::decided(const Reply& reply, const Event& event) const {
   send_done(reply);
 }
 
+void Console::clear_halt(const Reply& reply) const {
+  if (lab_.authority_.is_halted()) return decided(reply, HaltCleared{reply.who()});
+  send_done(reply, say(reply.tongue, "Es war kein Halt gedrückt.", "No halt was pressed."));
+}
+
 void Console::input(const Reply& reply, const v1::SetInput& request) const {
   const auto number = request.input();
   const bool known = number == 0 || (number >= 11 && number <= 18) || (number >= 21 && number <= 28);

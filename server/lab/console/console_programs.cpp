@@ -119,7 +119,7 @@ void check_room(db::Database& database, const std::vector<db::Person>& people, c
 }  // namespace
 
 std::string tape_error(const language::Error& error, language::Tongue tongue) {
-  return fmt::format("{}: {}: {}", error.line, language::place_of(error), language::message_of(error, tongue));
+  return fmt::format("{}: {}", error.line, language::explain(error, tongue));
 }
 
 int stored_cost(int program, const db::StoredBlock& block) {

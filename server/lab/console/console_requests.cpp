@@ -30,7 +30,7 @@ const Console::Row Console::kRows[] = {
     {R::kSelect, Row::with<&Console::select, &R::select>},
     {R::kRelease, [](auto& c, auto& reply, auto& r) { c.decided(reply, ReleaseIt{r.release().force(), reply.who()}); }},
     {R::kHalt, [](auto& c, auto& reply, auto&) { c.decided(reply, HaltPressed{reply.visit->person.id, reply.who()}); }},
-    {R::kClearHalt, [](auto& c, auto& reply, auto&) { c.decided(reply, HaltCleared{reply.who()}); }},
+    {R::kClearHalt, Row::bare<&Console::clear_halt>},
     {R::kPowerOff, [](auto& c, auto& reply, auto&) { c.decided(reply, PowerSwitched{false, reply.who()}); }},
     {R::kPowerOn, [](auto& c, auto& reply, auto&) { c.decided(reply, PowerSwitched{true, reply.who()}); }},
     {R::kInput, Row::with<&Console::input, &R::input>},

@@ -11,8 +11,8 @@ namespace cnclab::lab {
 namespace {
 
 Refusal bad_name(const std::string& name) {
-  return {"Kein gültiger Name: „" + name + "“ (Buchstaben, Ziffern, . - _, höchstens 32 Zeichen).",
-          "Not a valid name: \"" + name + "\" (letters, digits, . - _, at most 32 characters)."};
+  return {"Kein gültiger Name: „" + name + "“ (Buchstaben, Ziffern, . - _, höchstens 32 Bytes, ein Umlaut hat zwei).",
+          "Not a valid name: \"" + name + "\" (letters, digits, . - _, at most 32 bytes, an umlaut has two)."};
 }
 
 v1::InstructorItem password_item(const std::string& name, const std::string& password) {

@@ -91,8 +91,8 @@ struct Judge {
   /// What is wrong with an entry, empty if nothing.
   std::string fault_of(const RosterEntry& entry) {
     if (!is_name(entry.name))
-      return say("kein gültiger Name (Buchstaben, Ziffern, . - _, höchstens 32 Zeichen)",
-                 "not a valid name (letters, digits, . - _, at most 32 characters)");
+      return say("kein gültiger Name (Buchstaben, Ziffern, . - _, höchstens 32 Bytes, ein Umlaut hat zwei)",
+                 "not a valid name (letters, digits, . - _, at most 32 bytes, an umlaut has two)");
     if (!names.insert(entry.name).second)
       return say("der Name steht schon weiter oben", "the name stands above already");
     if (!entry.password.empty() &&

@@ -35,19 +35,22 @@ std::string change_in_words(const LaborVersion& version, const Subject& of, bool
   return german ? "im Ganzen gespeichert" : "stored as a whole";
 }
 
-std::string person_in_words(const LaborVersion& version, bool german) {
-  if (version.station == 0) return version.by;
-  return fmt::format("{}, {} {}", version.by, german ? "Platz" : "station", version.station);
+/// Who and where, in at most `columns`: of a long name the middle is left out, never the seat (STO-005).
+std::string person_in_words(const LaborVersion& version, bool german, std::size_t columns) {
+  if (version.station == 0) return shortened(version.by, columns);
+  const std::string seat = fmt::format(", {} {}", german ? "Platz" : "station", version.station);
+  return shortened(version.by, columns - seat.size()) + seat;
 }
 
 std::string version_line(const LaborVersion& version, const Subject& of, bool german) {
+  constexpr std::size_t kPersonColumns = 27;  // what is left of a row behind its number, date and change
   std::string when(17, ' ');
   if (version.time_ms != 0) {
     const panel::WallClock at = wall_clock(version.time_ms);
     when = fmt::format("{:02}.{:02}.{:02} {:02}:{:02}:{:02}", at.day, at.month, at.year, at.hour, at.minute, at.second);
   }
-  return fmt::format("V{:<4} {}  {:<24} {}", version.number, when, change_in_words(version, of, german),
-                     person_in_words(version, german));
+  return fmt::format("V{:<4} {}  {:<22} {}", version.number, when, change_in_words(version, of, german),
+                     person_in_words(version, german, kPersonColumns));
 }
 
 std::string page_of(std::size_t first, std::size_t lines, bool german) {
@@ -146,7 +149,8 @@ struct Layout {
     rows.heading =
         fmt::format(fmt::runtime(say("{}: soll Version {} wieder gelten?", "{}: is version {} to hold again?")),
                     name_of(page.list.of, tongue), version.number);
-    rows.lines = {version_line(version, page.list.of, german)};
+    const std::string who = person_in_words(version, german, Screen::kColumns);
+    rows.lines = {version_line(version, page.list.of, german), who.empty() ? "" : say("von ", "by ") + who};
     rows.note = say("Der jetzige Stand bleibt als Version erhalten.", "The present state is kept as a version.");
     rows.keys = say("→ ja   C nein", "→ yes   C no");
     return rows;

@@ -33,8 +33,7 @@ std::optional<R> refusal_of(const panel::RemoteStart& start, const RemoteStartVi
 Refusal text_of(R refusal) {
   switch (refusal) {
     case R::nobody_there:
-      return {"Fernstart abgelehnt: an der Station sitzt niemand.",
-              "Remote start refused: nobody sits at the station."};
+      return {"Fernstart abgelehnt: am Platz sitzt niemand.", "Remote start refused: nobody sits at the station."};
     case R::barred:
       return {"Fernstart abgelehnt: die Tastatur ist gesperrt oder übernommen.",
               "Remote start refused: the keyboard is locked or taken over."};
@@ -42,15 +41,15 @@ Refusal text_of(R refusal) {
       return {"Fernstart abgelehnt: er kam zu spät an.", "Remote start refused: it came too late."};
     case R::training:
       return {"Fernstart abgelehnt: dieser Platz hat die Maschine nicht.",
-              "Remote start refused: this seat does not have the machine."};
+              "Remote start refused: this station does not have the machine."};
     case R::no_lease:
       return {"Fernstart abgelehnt: die Maschine wurde diesem Platz genommen.",
-              "Remote start refused: the machine was taken from this seat."};
+              "Remote start refused: the machine was taken from this station."};
     case R::halted:
       return {"Fernstart abgelehnt: MASCHINE HALT ist gedrückt.", "Remote start refused: MASCHINE HALT is pressed."};
     case R::not_released:
       return {"Fernstart abgelehnt: erst auf diesem Platz in EXTERNE DATEN mit START erlauben.",
-              "Remote start refused: first release it with START in EXTERNE DATEN at this seat."};
+              "Remote start refused: first release it with START in EXTERNE DATEN at this station."};
     case R::released_otherwise:
       return {"Fernstart abgelehnt: erlaubt ist ein anderes Programm oder ein anderer Satz.",
               "Remote start refused: another program or block is released."};

@@ -77,10 +77,15 @@ std::optional<std::uint16_t> chosen(const ExternalDataMode& mode) {
 /// The programs that are to leave; none after a complaint.
 std::vector<language::Program> leaving(const ExternalDataMode& mode, ControlState& state) {
   if (mode.takes_all) {
-    if (state.memory.programs().empty()) state.complain(Error{.code = ErrorCode::program_missing});
+    if (state.memory.programs().empty())
+      state.complain(ErrorCode::program_missing, std::string(text(Text::said_nothing_stored, state.tongue())));
     return state.memory.programs();
   }
   const std::uint16_t number = *chosen(mode);
+  if (language::is_reserved_for_cycles(number)) {
+    state.complain(Error{.code = ErrorCode::reserved_for_cycles, .program = number});
+    return {};
+  }
   const language::Program* program = state.memory.find(number);
   if (program != nullptr) return {*program};
   state.complain(Error{.code = ErrorCode::program_missing, .detail = program_word(number)});

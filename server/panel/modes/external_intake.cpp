@@ -38,7 +38,8 @@ bool fits(const ControlState& state, const PutPrograms& put) {
 void complain_of_nothing(ControlState& state, const ReceivedText& received, const std::vector<std::string>& notices) {
   const bool may_be_left_out = !received.sought || language::is_reserved_for_cycles(*received.sought);
   if (!notices.empty() && may_be_left_out) return state.complain(ErrorCode::reserved_for_cycles, notices.front());
-  if (!received.sought) return state.complain(Error{.code = ErrorCode::program_missing});
+  if (!received.sought)
+    return state.complain(ErrorCode::program_missing, std::string(text(Text::said_nothing_read, state.tongue())));
   state.complain(ErrorCode::program_missing,
                  text(Text::said_not_in_file, state.tongue(), {program_word(*received.sought)}));
 }

@@ -57,10 +57,10 @@ bool set_clock(const MachineDataMode& mode, ControlState& state) {
 }
 
 /// What is allowed, for row 18. F START/STOP is at most F MAX.
-std::string range_text(int number, const machine::MachineData& data) {
+std::string range_text(int number, const machine::MachineData& data, language::Tongue tongue) {
   constexpr int kFMax = 6, kFStartStop = 10;
   if (number == kTime) return "00 00 00 - 23 59 59";
-  if (number == kDate) return "JJ MM TT";
+  if (number == kDate) return std::string(text(Text::datum_date, tongue));
   if (number == kPolarity) return "201, 51503";
   if (number == kBaudRate) return "300, 600, 1200, 2400, 4800";
   const machine::DatumForm* form = form_of(number);
@@ -72,9 +72,10 @@ std::string range_text(int number, const machine::MachineData& data) {
 }
 
 void refuse(MachineDataMode& mode, ControlState& state) {
-  state.message = Message{std::string(text(Text::datum_refused, state.tongue())), 0,
-                          text(Text::said_datum_refused, state.tongue(),
-                               {block_text(mode.number).substr(1), range_text(mode.number, state.data)})};
+  state.message =
+      Message{std::string(text(Text::datum_refused, state.tongue())), 0,
+              text(Text::said_datum_refused, state.tongue(),
+                   {block_text(mode.number).substr(1), range_text(mode.number, state.data, state.tongue())})};
   show_datum(mode, state, mode.number);
 }
 
@@ -167,7 +168,7 @@ std::string machine_data_list(const machine::MachineData& data, language::Tongue
 std::string sentence_of(const MachineDataMode& mode, const ControlState& state) {
   const language::Tongue tongue = state.tongue();
   if (state.storing) return std::string(text(Text::wait_store, tongue));
-  return text(Text::wait_machine_data, tongue, {range_text(mode.number, state.data)});
+  return text(Text::wait_machine_data, tongue, {range_text(mode.number, state.data, tongue)});
 }
 
 }  // namespace cnclab::panel

@@ -241,6 +241,8 @@ enum class Text : std::uint16_t {
   said_data_restored,
   said_not_fitted,
   said_not_in_file,
+  said_nothing_stored,
+  said_nothing_read,
   said_no_cassette,
   said_transfer_stopped,
   said_written,

@@ -23,7 +23,12 @@ int main(int argc, char** argv) {
   std::string bin, out = "var/lesson";
   app.add_option("--bin", bin, "folder with the programs (default: where this program was built)");
   app.add_option("--out", out, "folder for database, traces, tapes, pictures and logs")->capture_default_str();
-  CLI11_PARSE(app, argc, argv);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    constexpr int kUsage = 2;  // as of the other programs
+    return app.exit(error) == 0 ? 0 : kUsage;
+  }
   std::signal(SIGINT, on_signal);
   std::signal(SIGTERM, on_signal);
   if (!bin.empty()) setenv("CNCLAB_PROGRAMS", std::filesystem::absolute(bin).c_str(), 1);
