@@ -106,7 +106,7 @@ bool is_small_letter(char32_t code) {
 // A sign whose likeness is two characters, and how it is written before a small letter and else: "Ändern", "LÖSCHEN".
 struct WideSign {
   char32_t code;
-  std::string_view before_small, else_;
+  std::string_view before_small, before_other;
 };
 
 constexpr WideSign kWideSigns[] = {{U'→', "->", "->"}, {U'±', "+-", "+-"}, {U'ä', "ae", "ae"},
@@ -117,7 +117,7 @@ constexpr WideSign kWideSigns[] = {{U'→', "->", "->"}, {U'±', "+-", "+-"}, {U
 std::optional<std::string_view> wide_likeness(char32_t code, char32_t next) {
   const auto* const sign = std::ranges::find(kWideSigns, code, &WideSign::code);
   if (sign == std::end(kWideSigns)) return std::nullopt;
-  return is_small_letter(next) ? sign->before_small : sign->else_;
+  return is_small_letter(next) ? sign->before_small : sign->before_other;
 }
 
 // A column that text may take: what is marked stays marked, a cursor stays one.
