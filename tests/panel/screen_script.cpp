@@ -21,9 +21,9 @@ struct Script {
   Bench::Setup setup{};
   std::optional<Bench> bench{};
 
-  /// The bench is made with the first line that needs one.
+  /// The bench is made with the first line that needs one. As at every station there is a place for files.
   Bench& at_bench() {
-    if (!bench) bench.emplace(setup);
+    if (!bench) bench.emplace(setup).control.connect_media(true);
     return *bench;
   }
 };
