@@ -158,13 +158,13 @@ ConfigKey model_key() {
 ConfigKey size_key() {
   return {"workpiece", "size_mm", "size of the simulated workpiece: X, Y, Z",
           [](const toml::node& node, Configuration& to) -> std::string {
-            constexpr const char* right = "three lengths from 1 to 1000 mm";
+            constexpr const char* kRight = "three lengths from 1 to 1000 mm";
             const toml::array* array = node.as_array();
-            if (array == nullptr || array->size() != 3) return right;
+            if (array == nullptr || array->size() != 3) return kRight;
             std::vector<double> size;
             for (const auto& item : *array) {
               const auto value = item.value<double>();
-              if (!value || !(*value >= 1) || *value > 1000) return right;
+              if (!value || !(*value >= 1) || *value > 1000) return kRight;
               size.push_back(*value);
             }
             to.size_mm = size;

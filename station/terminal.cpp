@@ -62,7 +62,7 @@ void Terminal::set_up(bool is_ascii) {
   ::keypad(stdscr, TRUE);
   ::nodelay(stdscr, TRUE);
   ::curs_set(0);
-  ::mousemask(BUTTON1_PRESSED, nullptr);
+  ::mousemask(BUTTON1_PRESSED | BUTTON1_RELEASED, nullptr);
   ::mouseinterval(0);  // a press counts at once, without waiting whether it becomes a click
   ask_for_paste_marks();
   if (::has_colors() && ::start_color() == OK && ::use_default_colors() == OK) {

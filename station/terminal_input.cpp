@@ -7,7 +7,9 @@
 #include <langinfo.h>
 
 #include <cstdio>
+#include <ranges>
 #include <string_view>
+#include <vector>
 
 namespace cnclab::station {
 namespace {
@@ -46,10 +48,18 @@ std::optional<Special> special_of(int code) {
   }
 }
 
+/// The oldest press that nobody has asked for yet. Of what comes together ncurses tells once or not at all, and hands
+/// out the newest first; the younger ones go back.
 std::optional<TerminalEvent> click() {
+  std::vector<MEVENT> presses;
   MEVENT mouse{};
-  if (::getmouse(&mouse) != OK || (mouse.bstate & BUTTON1_PRESSED) == 0) return std::nullopt;
-  return Click{mouse.y, mouse.x};
+  while (::getmouse(&mouse) == OK)
+    if ((mouse.bstate & BUTTON1_PRESSED) != 0) presses.push_back(mouse);
+  if (presses.empty()) return std::nullopt;
+  const MEVENT oldest = presses.back();
+  presses.pop_back();
+  for (MEVENT& younger : std::views::reverse(presses)) ::ungetmouse(&younger);
+  return Click{oldest.y, oldest.x};
 }
 
 void send_now(const char* sequence) {
@@ -73,8 +83,8 @@ std::optional<TerminalEvent> next_terminal_event(KeyDecoder& decoder) {
   constexpr int kLastByte = 0xFF;
   for (;;) {
     const int code = ::wgetch(stdscr);
-    if (code == ERR) return decoder.pause();
     std::optional<TerminalEvent> event;
+    if (code == ERR) return (event = click()) ? event : decoder.pause();
     if (code <= kLastByte) {
       event = decoder.take(static_cast<unsigned char>(code), KeyDecoder::Clock::now());
     } else if (code == KEY_MOUSE) {

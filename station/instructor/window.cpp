@@ -77,7 +77,7 @@ Window::Window(bool is_ascii) : decoder_(kStops, coding()) {
   keypad(stdscr, TRUE);
   nodelay(stdscr, TRUE);
   mouseinterval(0);
-  mousemask(BUTTON1_PRESSED, nullptr);
+  mousemask(BUTTON1_PRESSED | BUTTON1_RELEASED, nullptr);
   station::ask_for_paste_marks();
 }
 

@@ -2,6 +2,8 @@
 // blocks by mouse (DEC-01, KEY-001).
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "harness/classroom.hpp"
 
 namespace cnclab::harness {
@@ -164,6 +166,45 @@ TEST_P(Terminals, KEY_001_TheKeyboardHasTheOriginalsThreeBlocks) {
   terminal.wait_for("□ EXTERNE DATEN");
   click("  HAND  ");  // block A
   terminal.wait_for("REFERENZ   FRÄSER   KÜHLMITTEL");
+}
+
+/// As a terminal reports a press and the release behind it (SGR 1006), in one piece.
+std::string press_and_release(int row, int column) {
+  const std::string press = "\x1b[<0;" + std::to_string(column + 1) + ";" + std::to_string(row + 1) + "M";
+  return press + press.substr(0, press.size() - 1) + "m";
+}
+
+TEST_P(Terminals, KEY_001_NoClickIsLostHoweverItsPressAndReleaseCome) {
+  if (!GetParam().has_mouse) GTEST_SKIP() << "no mouse";
+  Terminal terminal = open(kTall);
+  terminal.wait_for("? alle Tasten");
+  for (int round = 0; round < 10; ++round) {
+    for (const auto& [cap, mode, before] : {std::array{" EINGABE ", "EINGABEMODUS", "□ EXTERNE DATEN"},
+                                            std::array{"  MENU  ", "□ EXTERNE DATEN", "EINGABEMODUS"}}) {
+      const auto place = terminal.find_below(cap, kScreenRows);
+      ASSERT_TRUE(place.has_value()) << terminal.text();
+      if (round % 2 == 0)
+        terminal.type(press_and_release(place->first, place->second + 2));
+      else
+        terminal.click(place->first, place->second + 2);
+      terminal.wait_for(mode);
+      terminal.wait_gone(before);
+    }
+  }
+}
+
+TEST_P(Terminals, KEY_001_ClicksThatComeTogetherAllCountInTheirOrder) {
+  if (!GetParam().has_mouse) GTEST_SKIP() << "no mouse";
+  Terminal terminal = open(kTall);
+  terminal.wait_for("? alle Tasten");
+  std::string bytes;
+  for (const char* const cap : {" EINGABE ", "  1  ", "  2  ", "  3  "}) {
+    const auto place = terminal.find_below(cap, kScreenRows);
+    ASSERT_TRUE(place.has_value()) << cap << terminal.text();
+    bytes += press_and_release(place->first, place->second + 2);
+  }
+  terminal.type(bytes);
+  terminal.wait_for("PROGRAMM NR □0123");
 }
 
 void PrintTo(const Kind& kind, std::ostream* out) { *out << kind.term; }
