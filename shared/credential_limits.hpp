@@ -1,4 +1,5 @@
-// How long names and passwords may be, in bytes of UTF-8: what a station lets be typed and what the server takes (SEC-002).
+// How long names and passwords may be, in bytes of UTF-8: what a station lets be typed and what the server takes
+// (SEC-002).
 #pragma once
 
 #include <cstddef>
