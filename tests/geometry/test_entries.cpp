@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <iterator>
 #include <numbers>
 #include <string>
 
@@ -29,7 +30,7 @@ struct Row {
   int block = 0, other = 0;
 };
 
-std::vector<Row> rows() {
+std::vector<Row> closed_rows() {
   return {
       {"inside, from inside", [](Part& p) { room(p.from(20, 20).left(5).line(20, 0)); }, {}},
       {"inside, from outside", [](Part& p) { room(p.from(20, -20).left(5).line(20, 0)); }, Kind::entry_too_close, 2, 7},
@@ -60,6 +61,12 @@ std::vector<Row> rows() {
       {"outside, along the last wall: it is cut",
        [](Part& p) { p.from(0, 20).right(5).line(0, 0).line(40, 0).line(40, 40).line(0, 40).line(0, 0); },
        Kind::entry_too_close, 2, 6},
+      {"outside, square to the wall at a corner", [](Part& p) { square(p.from(0, -20).right(5)); }, {}},
+  };
+}
+
+std::vector<Row> open_rows() {
+  return {
       {"open, across its own beginning",
        [](Part& p) { p.from(0, 0).right(5).line(20, 0).line(20, 30).off().line(0, 30); },
        {}},
@@ -84,7 +91,11 @@ std::vector<Row> rows() {
       {"open, slanted over its end",
        [](Part& p) { p.from(40, 0).right(5).line(20, 0).line(20, 26).line(20, 30).off().line(0, 27); },
        Kind::exit_too_close, 6, 3},
-      {"outside, square to the wall at a corner", [](Part& p) { square(p.from(0, -20).right(5)); }, {}},
+  };
+}
+
+std::vector<Row> exit_rows() {
+  return {
       {"left to the inside", [](Part& p) { room(p.from(20, 20).left(5).line(20, 0)), p.line(20, 20); }, {}},
       {"left through a wall", [](Part& p) { room(p.from(20, 20).left(5).line(20, 0)), p.line(20, -20); },
        Kind::exit_too_close, 9, 3},
@@ -94,6 +105,11 @@ std::vector<Row> rows() {
       {"left rising all the way", [](Part& p) { room(p.from(20, 20).left(5).line(20, 0)), p.line(20, -20, 3); }, {}},
       {"left onto the contour itself",
        [](Part& p) { room(p.from(20, 20).left(5).line(20, 0)), p.line(20, 0).named(3); }, Kind::exit_too_close, 9, 3},
+  };
+}
+
+std::vector<Row> round_rows() {
+  return {
       {"round pocket, from its middle",
        [](Part& p) { p.from(0, 0).left(5).line(20, 0).ccw(20, 0, 0, 0).off().line(0, 0); },
        {}},
@@ -117,7 +133,11 @@ std::vector<Row> rows() {
 
 TEST(Entries, AreToldWhereTheyCutIntoAWallInEveryPlane_COMP007) {
   for (const Plane plane : {Plane::xy, Plane::xz, Plane::yz}) {
-    for (const Row& row : rows()) {
+    std::vector<Row> rows = closed_rows();
+    std::ranges::copy(open_rows(), std::back_inserter(rows));
+    std::ranges::copy(exit_rows(), std::back_inserter(rows));
+    std::ranges::copy(round_rows(), std::back_inserter(rows));
+    for (const Row& row : rows) {
       Part part(plane);
       row.program(part);
       const Outcome outcome = run(part);
